@@ -4,6 +4,118 @@
 /* All headers of plain kernels in one file, for vendoring; it may be included together with
    them. */
 
+/* What keeps every operation rounded once, in the order written, under every flag that compiles.
+   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+#ifndef KSL_ROUNDING_H
+#define KSL_ROUNDING_H
+
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__NO_SIGNED_ZEROS__)
+#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
+    (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
+#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#endif
+
+/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
+#if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
+    defined(__s390x__) || defined(__powerpc64__) || \
+    (defined(__riscv_flen) && __riscv_flen >= 64) || \
+    (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
+#endif
+#ifndef KSL_HAS_FMAF
+#if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
+#define KSL_HAS_FMAF 1
+#else
+#define KSL_HAS_FMAF 0
+#endif
+#endif
+
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#endif
+
+#ifndef KSL_MUL
+/* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline double ksl_minus_zero(void) {
+  double zero = -0.0;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MUL(a, b) ((a) * (b))
+#endif
+#endif
+
+#ifndef KSL_MULF
+/* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline float ksl_minus_zerof(void) {
+  float zero = -0.0f;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MULF(a, b) ((a) * (b))
+#endif
+#endif
+
+#endif
+
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -12,8 +124,7 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
-   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+   that results are the same bits everywhere, under every flag that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -23,15 +134,6 @@
 #include <math.h>
 #include <string.h>
 
-#if !defined(KSL_ALLOW_FAST_MATH)
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#endif
-#endif
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0
@@ -229,9 +331,9 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -269,9 +371,9 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -308,9 +410,9 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -347,9 +449,9 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -385,14 +487,14 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -407,23 +509,23 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -440,23 +542,23 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = v->x * up;
-  const double enlarged_1 = v->y * up;
-  const double enlarged_2 = v->z * up;
+  const double enlarged_0 = KSL_MUL(v->x, up);
+  const double enlarged_1 = KSL_MUL(v->y, up);
+  const double enlarged_2 = KSL_MUL(v->z, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
-  const double vo_0 = quotient_0 * down;
-  const double vo_1 = quotient_1 * down;
-  const double vo_2 = quotient_2 * down;
+  const double vo_0 = KSL_MUL(quotient_0, down);
+  const double vo_1 = KSL_MUL(quotient_1, down);
+  const double vo_2 = KSL_MUL(quotient_2, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -473,9 +575,9 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
       s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
-  const double scaled_s1_0 = v1->x * s1;
-  const double scaled_s1_1 = v1->y * s1;
-  const double scaled_s1_2 = v1->z * s1;
+  const double scaled_s1_0 = KSL_MUL(v1->x, s1);
+  const double scaled_s1_1 = KSL_MUL(v1->y, s1);
+  const double scaled_s1_2 = KSL_MUL(v1->z, s1);
   const double s2_size_0 = fabs(v2->x);
   const double s2_size_1 = fabs(v2->y);
   const double s2_size_2 = fabs(v2->z);
@@ -483,14 +585,14 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
       s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
-  const double scaled_s2_0 = v2->x * s2;
-  const double scaled_s2_1 = v2->y * s2;
-  const double scaled_s2_2 = v2->z * s2;
-  const double c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1,
+  const double scaled_s2_0 = KSL_MUL(v2->x, s2);
+  const double scaled_s2_1 = KSL_MUL(v2->y, s2);
+  const double scaled_s2_2 = KSL_MUL(v2->z, s2);
+  const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2), c_0b = KSL_MUL(scaled_s1_2, scaled_s2_1),
       c_0 = c_0a - c_0b;
-  const double c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2,
+  const double c_1a = KSL_MUL(scaled_s1_2, scaled_s2_0), c_1b = KSL_MUL(scaled_s1_0, scaled_s2_2),
       c_1 = c_1a - c_1b;
-  const double c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0,
+  const double c_2a = KSL_MUL(scaled_s1_0, scaled_s2_1), c_2b = KSL_MUL(scaled_s1_1, scaled_s2_0),
       c_2 = c_2a - c_2b;
   const double s_size_0 = fabs(c_0);
   const double s_size_1 = fabs(c_1);
@@ -499,16 +601,17 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = c_0 * s;
-  const double y_1 = c_1 * s;
-  const double y_2 = c_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(c_0, s);
+  const double y_1 = KSL_MUL(c_1, s);
+  const double y_2 = KSL_MUL(c_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double cross = n * r;
-  const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
-      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const double cross = KSL_MUL(n, r);
+  const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
+      dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
+      dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
   const double angle = atan2(cross, dot_);
   return angle;
 }
@@ -519,8 +622,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_b = KSL_MUL(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MUL(v1->z, v2->z), dot = dot_c + dot_d;
   return dot;
 }
 
@@ -529,9 +632,9 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -555,9 +658,9 @@ static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_ve
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0b = KSL_MUL(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1b = KSL_MUL(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2b = KSL_MUL(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -569,9 +672,9 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0b = KSL_MUL(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1b = KSL_MUL(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2b = KSL_MUL(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -682,9 +785,9 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -722,9 +825,9 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
+  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
+  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -761,9 +864,9 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -800,9 +903,9 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -838,13 +941,13 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = v->x * s;
-  const float y_1 = v->y * s;
-  const float y_2 = v->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(v->x, s);
+  const float y_1 = KSL_MULF(v->y, s);
+  const float y_2 = KSL_MULF(v->z, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -859,23 +962,23 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = self->x * s;
-  const float y_1 = self->y * s;
-  const float y_2 = self->z * s;
+  const float y_0 = KSL_MULF(self->x, s);
+  const float y_1 = KSL_MULF(self->y, s);
+  const float y_2 = KSL_MULF(self->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->x * up;
-  const float enlarged_1 = self->y * up;
-  const float enlarged_2 = self->z * up;
+  const float enlarged_0 = KSL_MULF(self->x, up);
+  const float enlarged_1 = KSL_MULF(self->y, up);
+  const float enlarged_2 = KSL_MULF(self->z, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -892,23 +995,23 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = v->x * s;
-  const float y_1 = v->y * s;
-  const float y_2 = v->z * s;
+  const float y_0 = KSL_MULF(v->x, s);
+  const float y_1 = KSL_MULF(v->y, s);
+  const float y_2 = KSL_MULF(v->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = v->x * up;
-  const float enlarged_1 = v->y * up;
-  const float enlarged_2 = v->z * up;
+  const float enlarged_0 = KSL_MULF(v->x, up);
+  const float enlarged_1 = KSL_MULF(v->y, up);
+  const float enlarged_2 = KSL_MULF(v->z, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
-  const float vo_0 = quotient_0 * down;
-  const float vo_1 = quotient_1 * down;
-  const float vo_2 = quotient_2 * down;
+  const float vo_0 = KSL_MULF(quotient_0, down);
+  const float vo_1 = KSL_MULF(quotient_1, down);
+  const float vo_2 = KSL_MULF(quotient_2, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -925,9 +1028,9 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
       s1 = s1_largest2 < 8.881784e-16f ? 1.2676506e+30f : s1b;
-  const float scaled_s1_0 = v1->x * s1;
-  const float scaled_s1_1 = v1->y * s1;
-  const float scaled_s1_2 = v1->z * s1;
+  const float scaled_s1_0 = KSL_MULF(v1->x, s1);
+  const float scaled_s1_1 = KSL_MULF(v1->y, s1);
+  const float scaled_s1_2 = KSL_MULF(v1->z, s1);
   const float s2_size_0 = fabsf(v2->x);
   const float s2_size_1 = fabsf(v2->y);
   const float s2_size_2 = fabsf(v2->z);
@@ -935,12 +1038,15 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
       s2 = s2_largest2 < 8.881784e-16f ? 1.2676506e+30f : s2b;
-  const float scaled_s2_0 = v2->x * s2;
-  const float scaled_s2_1 = v2->y * s2;
-  const float scaled_s2_2 = v2->z * s2;
-  const float c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1, c_0 = c_0a - c_0b;
-  const float c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2, c_1 = c_1a - c_1b;
-  const float c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0, c_2 = c_2a - c_2b;
+  const float scaled_s2_0 = KSL_MULF(v2->x, s2);
+  const float scaled_s2_1 = KSL_MULF(v2->y, s2);
+  const float scaled_s2_2 = KSL_MULF(v2->z, s2);
+  const float c_0a = KSL_MULF(scaled_s1_1, scaled_s2_2), c_0b = KSL_MULF(scaled_s1_2, scaled_s2_1),
+      c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(scaled_s1_2, scaled_s2_0), c_1b = KSL_MULF(scaled_s1_0, scaled_s2_2),
+      c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(scaled_s1_0, scaled_s2_1), c_2b = KSL_MULF(scaled_s1_1, scaled_s2_0),
+      c_2 = c_2a - c_2b;
   const float s_size_0 = fabsf(c_0);
   const float s_size_1 = fabsf(c_1);
   const float s_size_2 = fabsf(c_2);
@@ -948,15 +1054,16 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = c_0 * s;
-  const float y_1 = c_1 * s;
-  const float y_2 = c_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(c_0, s);
+  const float y_1 = KSL_MULF(c_1, s);
+  const float y_2 = KSL_MULF(c_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
-  const float cross = n * r;
-  const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
-      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const float cross = KSL_MULF(n, r);
+  const float dot__a = KSL_MULF(scaled_s1_0, scaled_s2_0),
+      dot__b = KSL_MULF(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
+      dot__d = KSL_MULF(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
   const float angle = atan2f(cross, dot_);
   return angle;
 }
@@ -967,8 +1074,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_b = KSL_MULF(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MULF(v1->z, v2->z), dot = dot_c + dot_d;
   return dot;
 }
 
@@ -977,9 +1084,9 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1003,9 +1110,9 @@ static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_v
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0b = KSL_MULF(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1b = KSL_MULF(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2b = KSL_MULF(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1017,9 +1124,9 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0b = KSL_MULF(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1b = KSL_MULF(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2b = KSL_MULF(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1314,11 +1421,11 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const double n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const double det_a = KSL_MUL(R->m00, n_0), det_b = KSL_MUL(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MUL(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 
@@ -1509,11 +1616,11 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const float n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const float det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0b = KSL_MULF(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const float det_a = KSL_MULF(R->m00, n_0), det_b = KSL_MULF(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MULF(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 
@@ -1727,15 +1834,18 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
-  const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
-      self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
-      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
-  const double self_13_new_a = self->m01 * self->m03, self_13_new_b = self->m11 * self->m13,
-      self_13_new_c = self_13_new_a + self_13_new_b, self_13_new_d = self->m21 * self->m23,
-      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
-  const double self_23_new_a = self->m02 * self->m03, self_23_new_b = self->m12 * self->m13,
-      self_23_new_c = self_23_new_a + self_23_new_b, self_23_new_d = self->m22 * self->m23,
-      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
+      self_03_new_b = KSL_MUL(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_d = KSL_MUL(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new = -self_03_new_e;
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
+      self_13_new_b = KSL_MUL(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_d = KSL_MUL(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new = -self_13_new_e;
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
+      self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_d = KSL_MUL(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new = -self_23_new_e;
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
   const double self_m01 = self->m01;
@@ -1759,12 +1869,15 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
-  const double Do_13a = D->m01 * D->m03, Do_13b = D->m11 * D->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * D->m23, Do_13e = Do_13c + Do_13d, Do_13 = -Do_13e;
-  const double Do_23a = D->m02 * D->m03, Do_23b = D->m12 * D->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * D->m23, Do_23e = Do_23c + Do_23d, Do_23 = -Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03b = KSL_MUL(D->m10, D->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = -Do_03e;
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13b = KSL_MUL(D->m11, D->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = -Do_13e;
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23b = KSL_MUL(D->m12, D->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = -Do_23e;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -1964,15 +2077,18 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
-  const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
-      self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
-      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
-  const float self_13_new_a = self->m01 * self->m03, self_13_new_b = self->m11 * self->m13,
-      self_13_new_c = self_13_new_a + self_13_new_b, self_13_new_d = self->m21 * self->m23,
-      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
-  const float self_23_new_a = self->m02 * self->m03, self_23_new_b = self->m12 * self->m13,
-      self_23_new_c = self_23_new_a + self_23_new_b, self_23_new_d = self->m22 * self->m23,
-      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
+      self_03_new_b = KSL_MULF(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_d = KSL_MULF(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new = -self_03_new_e;
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
+      self_13_new_b = KSL_MULF(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_d = KSL_MULF(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new = -self_13_new_e;
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
+      self_23_new_b = KSL_MULF(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_d = KSL_MULF(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new = -self_23_new_e;
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -1996,12 +2112,15 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
-  const float Do_13a = D->m01 * D->m03, Do_13b = D->m11 * D->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * D->m23, Do_13e = Do_13c + Do_13d, Do_13 = -Do_13e;
-  const float Do_23a = D->m02 * D->m03, Do_23b = D->m12 * D->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * D->m23, Do_23e = Do_23c + Do_23d, Do_23 = -Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03b = KSL_MULF(D->m10, D->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = -Do_03e;
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13b = KSL_MULF(D->m11, D->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = -Do_13e;
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23b = KSL_MULF(D->m12, D->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = -Do_23e;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2519,12 +2638,12 @@ static inline ksl_mat6x6f_t *ksl_mat6x6f_alloc(int n) {
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2536,12 +2655,12 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2553,12 +2672,12 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2571,12 +2690,12 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
      and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2588,12 +2707,12 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const double vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const double vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0b = KSL_MUL(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1b = KSL_MUL(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2b = KSL_MUL(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2608,12 +2727,12 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
   const double p_2 = v->z - D->m23;
-  const double vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0b = KSL_MUL(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1b = KSL_MUL(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2b = KSL_MUL(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, p_2), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2626,24 +2745,24 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
      and underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22b = KSL_MUL(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -2662,24 +2781,24 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
      and underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02b = KSL_MUL(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12b = KSL_MUL(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22b = KSL_MUL(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -2698,24 +2817,24 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
      and underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20b = KSL_MUL(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21b = KSL_MUL(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22b = KSL_MUL(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -2733,30 +2852,33 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03b = KSL_MUL(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13b = KSL_MUL(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20b = KSL_MUL(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21b = KSL_MUL(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22b = KSL_MUL(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23b = KSL_MUL(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -2777,30 +2899,33 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const double R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const double R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const double R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const double R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const double R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const double R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const double R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const double R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const double Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0b = KSL_MUL(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MUL(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1b = KSL_MUL(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MUL(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2b = KSL_MUL(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MUL(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3b = KSL_MUL(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MUL(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4b = KSL_MUL(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MUL(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5b = KSL_MUL(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MUL(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6b = KSL_MUL(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MUL(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7b = KSL_MUL(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MUL(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8b = KSL_MUL(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MUL(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03b = KSL_MUL(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13b = KSL_MUL(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23b = KSL_MUL(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -2824,30 +2949,30 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
   const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03b = KSL_MUL(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13b = KSL_MUL(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20b = KSL_MUL(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21b = KSL_MUL(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22b = KSL_MUL(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23b = KSL_MUL(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -2868,24 +2993,24 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02b = KSL_MUL(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12b = KSL_MUL(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22b = KSL_MUL(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -2909,24 +3034,24 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02b = KSL_MUL(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12b = KSL_MUL(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22b = KSL_MUL(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -2950,12 +3075,15 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -2985,12 +3113,15 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3023,12 +3154,12 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
   const double p_2 = t->z - D->m23;
-  const double Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03b = KSL_MUL(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13b = KSL_MUL(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23b = KSL_MUL(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, p_2), Do_23 = Do_23c + Do_23d;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -3057,9 +3188,9 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m00 * k;
-  const double vo_1 = R->m10 * k;
-  const double vo_2 = R->m20 * k;
+  const double vo_0 = KSL_MUL(R->m00, k);
+  const double vo_1 = KSL_MUL(R->m10, k);
+  const double vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3071,12 +3202,18 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -3097,12 +3234,18 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -3129,9 +3272,9 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3160,9 +3303,9 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3175,12 +3318,18 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -3201,12 +3350,18 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const double Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -3233,9 +3388,9 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3264,9 +3419,9 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m01 * k;
-  const double vo_1 = R->m11 * k;
-  const double vo_2 = R->m21 * k;
+  const double vo_0 = KSL_MUL(R->m01, k);
+  const double vo_1 = KSL_MUL(R->m11, k);
+  const double vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3278,12 +3433,18 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -3304,12 +3465,18 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -3336,9 +3503,9 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3367,9 +3534,9 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3382,12 +3549,18 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -3408,12 +3581,18 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -3440,9 +3619,9 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3471,9 +3650,9 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m02 * k;
-  const double vo_1 = R->m12 * k;
-  const double vo_2 = R->m22 * k;
+  const double vo_0 = KSL_MUL(R->m02, k);
+  const double vo_1 = KSL_MUL(R->m12, k);
+  const double vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3485,12 +3664,18 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -3511,12 +3696,18 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -3543,9 +3734,9 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3574,9 +3765,9 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3589,12 +3780,18 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01b = KSL_MUL(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11b = KSL_MUL(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21b = KSL_MUL(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -3615,12 +3812,18 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01b = KSL_MUL(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11b = KSL_MUL(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21b = KSL_MUL(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -3647,9 +3850,9 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3679,12 +3882,12 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3697,12 +3900,12 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
      and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3715,12 +3918,12 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3733,12 +3936,12 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3750,12 +3953,12 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const float vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const float vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0b = KSL_MULF(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1b = KSL_MULF(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2b = KSL_MULF(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3770,12 +3973,12 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
   const float p_2 = v->z - D->m23;
-  const float vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0b = KSL_MULF(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1b = KSL_MULF(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2b = KSL_MULF(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, p_2), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3788,24 +3991,24 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22b = KSL_MULF(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3824,24 +4027,24 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
      and underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02b = KSL_MULF(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12b = KSL_MULF(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22b = KSL_MULF(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3860,24 +4063,24 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
      and underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20b = KSL_MULF(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21b = KSL_MULF(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22b = KSL_MULF(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3895,30 +4098,33 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03b = KSL_MULF(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13b = KSL_MULF(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20b = KSL_MULF(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21b = KSL_MULF(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22b = KSL_MULF(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23b = KSL_MULF(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -3939,30 +4145,33 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const float R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const float R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const float R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const float R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const float R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const float R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const float R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const float R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const float Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0b = KSL_MULF(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MULF(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1b = KSL_MULF(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MULF(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2b = KSL_MULF(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MULF(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3b = KSL_MULF(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MULF(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4b = KSL_MULF(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MULF(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5b = KSL_MULF(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MULF(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6b = KSL_MULF(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MULF(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7b = KSL_MULF(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MULF(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8b = KSL_MULF(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MULF(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03b = KSL_MULF(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13b = KSL_MULF(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23b = KSL_MULF(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -3986,30 +4195,30 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
   const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03b = KSL_MULF(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13b = KSL_MULF(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20b = KSL_MULF(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21b = KSL_MULF(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22b = KSL_MULF(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23b = KSL_MULF(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -4030,24 +4239,24 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02b = KSL_MULF(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12b = KSL_MULF(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22b = KSL_MULF(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -4072,24 +4281,24 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02b = KSL_MULF(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12b = KSL_MULF(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22b = KSL_MULF(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -4113,12 +4322,15 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4148,12 +4360,15 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4186,12 +4401,12 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
   const float p_2 = t->z - D->m23;
-  const float Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03b = KSL_MULF(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13b = KSL_MULF(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23b = KSL_MULF(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, p_2), Do_23 = Do_23c + Do_23d;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -4220,9 +4435,9 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m00 * k;
-  const float vo_1 = R->m10 * k;
-  const float vo_2 = R->m20 * k;
+  const float vo_0 = KSL_MULF(R->m00, k);
+  const float vo_1 = KSL_MULF(R->m10, k);
+  const float vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4235,12 +4450,18 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -4261,12 +4482,18 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -4293,9 +4520,9 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4324,9 +4551,9 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4339,12 +4566,18 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const float Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -4365,12 +4598,18 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const float Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -4397,9 +4636,9 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4428,9 +4667,9 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m01 * k;
-  const float vo_1 = R->m11 * k;
-  const float vo_2 = R->m21 * k;
+  const float vo_0 = KSL_MULF(R->m01, k);
+  const float vo_1 = KSL_MULF(R->m11, k);
+  const float vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4443,12 +4682,18 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -4469,12 +4714,18 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -4501,9 +4752,9 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4532,9 +4783,9 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4547,12 +4798,18 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -4573,12 +4830,18 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -4605,9 +4868,9 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4636,9 +4899,9 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m02 * k;
-  const float vo_1 = R->m12 * k;
-  const float vo_2 = R->m22 * k;
+  const float vo_0 = KSL_MULF(R->m02, k);
+  const float vo_1 = KSL_MULF(R->m12, k);
+  const float vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4651,12 +4914,18 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -4677,12 +4946,18 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -4709,9 +4984,9 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4740,9 +5015,9 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4755,12 +5030,18 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01b = KSL_MULF(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11b = KSL_MULF(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21b = KSL_MULF(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -4781,12 +5062,18 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01b = KSL_MULF(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11b = KSL_MULF(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21b = KSL_MULF(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -4813,9 +5100,9 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4910,12 +5197,12 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -4968,12 +5255,12 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -5025,12 +5312,12 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5094,14 +5381,14 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -5122,32 +5409,32 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -5173,32 +5460,32 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = si->m0 * up;
-  const double enlarged_1 = si->m1 * up;
-  const double enlarged_2 = si->m2 * up;
-  const double enlarged_3 = si->m3 * up;
-  const double enlarged_4 = si->m4 * up;
-  const double enlarged_5 = si->m5 * up;
+  const double enlarged_0 = KSL_MUL(si->m0, up);
+  const double enlarged_1 = KSL_MUL(si->m1, up);
+  const double enlarged_2 = KSL_MUL(si->m2, up);
+  const double enlarged_3 = KSL_MUL(si->m3, up);
+  const double enlarged_4 = KSL_MUL(si->m4, up);
+  const double enlarged_5 = KSL_MUL(si->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = quotient_0 * down;
-  const double so_1 = quotient_1 * down;
-  const double so_2 = quotient_2 * down;
-  const double so_3 = quotient_3 * down;
-  const double so_4 = quotient_4 * down;
-  const double so_5 = quotient_5 * down;
+  const double so_0 = KSL_MUL(quotient_0, down);
+  const double so_1 = KSL_MUL(quotient_1, down);
+  const double so_2 = KSL_MUL(quotient_2, down);
+  const double so_3 = KSL_MUL(quotient_3, down);
+  const double so_4 = KSL_MUL(quotient_4, down);
+  const double so_5 = KSL_MUL(quotient_5, down);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5290,11 +5577,11 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
@@ -5314,11 +5601,11 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
@@ -5338,11 +5625,11 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
@@ -5361,18 +5648,18 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5388,18 +5675,18 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
      and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5415,18 +5702,18 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
      and underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5441,23 +5728,23 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -5473,24 +5760,24 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const double so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const double so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5505,23 +5792,23 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -5585,9 +5872,12 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -5605,9 +5895,12 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -5625,9 +5918,12 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -5693,9 +5989,12 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -5713,9 +6012,12 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -5733,9 +6035,12 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -5753,15 +6058,24 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -5815,10 +6129,10 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -5829,15 +6143,21 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5852,9 +6172,12 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5869,15 +6192,15 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const double so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const double so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5892,12 +6215,12 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5998,12 +6321,12 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -6056,12 +6379,12 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -6113,12 +6436,12 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6183,13 +6506,13 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -6210,32 +6533,32 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->m0 * up;
-  const float enlarged_1 = self->m1 * up;
-  const float enlarged_2 = self->m2 * up;
-  const float enlarged_3 = self->m3 * up;
-  const float enlarged_4 = self->m4 * up;
-  const float enlarged_5 = self->m5 * up;
+  const float enlarged_0 = KSL_MULF(self->m0, up);
+  const float enlarged_1 = KSL_MULF(self->m1, up);
+  const float enlarged_2 = KSL_MULF(self->m2, up);
+  const float enlarged_3 = KSL_MULF(self->m3, up);
+  const float enlarged_4 = KSL_MULF(self->m4, up);
+  const float enlarged_5 = KSL_MULF(self->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
-  const float self_3_new = quotient_3 * down;
-  const float self_4_new = quotient_4 * down;
-  const float self_5_new = quotient_5 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
+  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float self_4_new = KSL_MULF(quotient_4, down);
+  const float self_5_new = KSL_MULF(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -6261,32 +6584,32 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = si->m0 * up;
-  const float enlarged_1 = si->m1 * up;
-  const float enlarged_2 = si->m2 * up;
-  const float enlarged_3 = si->m3 * up;
-  const float enlarged_4 = si->m4 * up;
-  const float enlarged_5 = si->m5 * up;
+  const float enlarged_0 = KSL_MULF(si->m0, up);
+  const float enlarged_1 = KSL_MULF(si->m1, up);
+  const float enlarged_2 = KSL_MULF(si->m2, up);
+  const float enlarged_3 = KSL_MULF(si->m3, up);
+  const float enlarged_4 = KSL_MULF(si->m4, up);
+  const float enlarged_5 = KSL_MULF(si->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float so_0 = quotient_0 * down;
-  const float so_1 = quotient_1 * down;
-  const float so_2 = quotient_2 * down;
-  const float so_3 = quotient_3 * down;
-  const float so_4 = quotient_4 * down;
-  const float so_5 = quotient_5 * down;
+  const float so_0 = KSL_MULF(quotient_0, down);
+  const float so_1 = KSL_MULF(quotient_1, down);
+  const float so_2 = KSL_MULF(quotient_2, down);
+  const float so_3 = KSL_MULF(quotient_3, down);
+  const float so_4 = KSL_MULF(quotient_4, down);
+  const float so_5 = KSL_MULF(quotient_5, down);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6379,11 +6702,11 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -6403,11 +6726,11 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -6427,11 +6750,11 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
@@ -6451,18 +6774,18 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
      and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6478,18 +6801,18 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
      and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6505,18 +6828,18 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
      and underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6531,21 +6854,24 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6561,24 +6887,24 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const float so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const float so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const float so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6594,21 +6920,24 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6671,9 +7000,12 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0b = KSL_MULF(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1b = KSL_MULF(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -6691,9 +7023,12 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0b = KSL_MULF(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1b = KSL_MULF(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -6711,9 +7046,12 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0b = KSL_MULF(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1b = KSL_MULF(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -6779,9 +7117,12 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0b = KSL_MULF(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1b = KSL_MULF(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -6799,9 +7140,12 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0b = KSL_MULF(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1b = KSL_MULF(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -6819,9 +7163,12 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0b = KSL_MULF(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1b = KSL_MULF(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -6839,15 +7186,24 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const float M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const float M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const float M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const float M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const float M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const float M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const float M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03b = KSL_MULF(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04b = KSL_MULF(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05b = KSL_MULF(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13b = KSL_MULF(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14b = KSL_MULF(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15b = KSL_MULF(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23b = KSL_MULF(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24b = KSL_MULF(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -6901,10 +7257,11 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
+      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
+      power = power_e + power_j;
   return power;
 }
 
@@ -6915,15 +7272,21 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const float so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const float so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6939,9 +7302,12 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const float so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6956,15 +7322,15 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const float so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const float so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6979,12 +7345,12 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7109,12 +7475,12 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -7167,12 +7533,12 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -7224,12 +7590,12 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7294,14 +7660,14 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -7322,32 +7688,32 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -7373,32 +7739,32 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = ci->m0 * up;
-  const double enlarged_1 = ci->m1 * up;
-  const double enlarged_2 = ci->m2 * up;
-  const double enlarged_3 = ci->m3 * up;
-  const double enlarged_4 = ci->m4 * up;
-  const double enlarged_5 = ci->m5 * up;
+  const double enlarged_0 = KSL_MUL(ci->m0, up);
+  const double enlarged_1 = KSL_MUL(ci->m1, up);
+  const double enlarged_2 = KSL_MUL(ci->m2, up);
+  const double enlarged_3 = KSL_MUL(ci->m3, up);
+  const double enlarged_4 = KSL_MUL(ci->m4, up);
+  const double enlarged_5 = KSL_MUL(ci->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = quotient_0 * down;
-  const double co_1 = quotient_1 * down;
-  const double co_2 = quotient_2 * down;
-  const double co_3 = quotient_3 * down;
-  const double co_4 = quotient_4 * down;
-  const double co_5 = quotient_5 * down;
+  const double co_0 = KSL_MUL(quotient_0, down);
+  const double co_1 = KSL_MUL(quotient_1, down);
+  const double co_2 = KSL_MUL(quotient_2, down);
+  const double co_3 = KSL_MUL(quotient_3, down);
+  const double co_4 = KSL_MUL(quotient_4, down);
+  const double co_5 = KSL_MUL(quotient_5, down);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7492,11 +7858,11 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -7516,11 +7882,11 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -7543,11 +7909,11 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -7564,18 +7930,18 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
      and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7591,18 +7957,18 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
      and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7618,18 +7984,18 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7645,23 +8011,23 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -7678,24 +8044,24 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const double co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const double co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7711,23 +8077,23 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -7743,9 +8109,12 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -7763,9 +8132,12 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -7783,9 +8155,12 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -7854,9 +8229,12 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7874,9 +8252,12 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7894,9 +8275,12 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7959,15 +8343,24 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -8021,10 +8414,10 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -8034,15 +8427,18 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
    Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8057,9 +8453,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -8075,20 +8471,20 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8105,20 +8501,20 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8135,20 +8531,20 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8165,20 +8561,20 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8195,20 +8591,20 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8225,20 +8621,20 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -8254,12 +8650,12 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -8274,12 +8670,12 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -8294,12 +8690,12 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -8313,9 +8709,9 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -8329,9 +8725,9 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -8345,9 +8741,9 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -8448,12 +8844,12 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8506,12 +8902,12 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -8563,12 +8959,12 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8634,13 +9030,13 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -8661,32 +9057,32 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->m0 * up;
-  const float enlarged_1 = self->m1 * up;
-  const float enlarged_2 = self->m2 * up;
-  const float enlarged_3 = self->m3 * up;
-  const float enlarged_4 = self->m4 * up;
-  const float enlarged_5 = self->m5 * up;
+  const float enlarged_0 = KSL_MULF(self->m0, up);
+  const float enlarged_1 = KSL_MULF(self->m1, up);
+  const float enlarged_2 = KSL_MULF(self->m2, up);
+  const float enlarged_3 = KSL_MULF(self->m3, up);
+  const float enlarged_4 = KSL_MULF(self->m4, up);
+  const float enlarged_5 = KSL_MULF(self->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
-  const float self_3_new = quotient_3 * down;
-  const float self_4_new = quotient_4 * down;
-  const float self_5_new = quotient_5 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
+  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float self_4_new = KSL_MULF(quotient_4, down);
+  const float self_5_new = KSL_MULF(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8712,32 +9108,32 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = ci->m0 * up;
-  const float enlarged_1 = ci->m1 * up;
-  const float enlarged_2 = ci->m2 * up;
-  const float enlarged_3 = ci->m3 * up;
-  const float enlarged_4 = ci->m4 * up;
-  const float enlarged_5 = ci->m5 * up;
+  const float enlarged_0 = KSL_MULF(ci->m0, up);
+  const float enlarged_1 = KSL_MULF(ci->m1, up);
+  const float enlarged_2 = KSL_MULF(ci->m2, up);
+  const float enlarged_3 = KSL_MULF(ci->m3, up);
+  const float enlarged_4 = KSL_MULF(ci->m4, up);
+  const float enlarged_5 = KSL_MULF(ci->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float co_0 = quotient_0 * down;
-  const float co_1 = quotient_1 * down;
-  const float co_2 = quotient_2 * down;
-  const float co_3 = quotient_3 * down;
-  const float co_4 = quotient_4 * down;
-  const float co_5 = quotient_5 * down;
+  const float co_0 = KSL_MULF(quotient_0, down);
+  const float co_1 = KSL_MULF(quotient_1, down);
+  const float co_2 = KSL_MULF(quotient_2, down);
+  const float co_3 = KSL_MULF(quotient_3, down);
+  const float co_4 = KSL_MULF(quotient_4, down);
+  const float co_5 = KSL_MULF(quotient_5, down);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8831,11 +9227,11 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -8855,11 +9251,11 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -8882,11 +9278,11 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -8903,18 +9299,18 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8930,18 +9326,18 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
      and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8957,18 +9353,18 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
      and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8984,21 +9380,24 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9014,24 +9413,24 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const float co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const float co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9047,21 +9446,24 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9076,9 +9478,12 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -9096,9 +9501,12 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -9116,9 +9524,12 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -9187,9 +9598,12 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9207,9 +9621,12 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9227,9 +9644,12 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9292,15 +9712,24 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const float M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const float M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const float M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const float M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const float M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const float M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const float M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -9354,10 +9783,10 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -9368,15 +9797,18 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const float co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const float co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const float co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9392,9 +9824,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const float co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const float co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -9410,18 +9842,21 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9437,18 +9872,21 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9464,18 +9902,21 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9491,18 +9932,21 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9518,18 +9962,21 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9545,18 +9992,21 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9572,12 +10022,12 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9593,12 +10043,12 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9614,12 +10064,12 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9634,9 +10084,9 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -9651,9 +10101,9 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -9668,9 +10118,9 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -9789,10 +10239,10 @@ static inline void ksl_quaternion_copy(const ksl_quaternion_t *qi, ksl_quaternio
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -9838,15 +10288,16 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r = 1.0 < s ? 2.409919865102884e-181 : r_b;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -9863,27 +10314,28 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
-  const double y_3 = self->w * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
+  const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
-  const double enlarged_3 = self->w * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double enlarged_3 = KSL_MUL(self->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -9903,27 +10355,28 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = q->x * up;
-  const double enlarged_1 = q->y * up;
-  const double enlarged_2 = q->z * up;
-  const double enlarged_3 = q->w * up;
+  const double enlarged_0 = KSL_MUL(q->x, up);
+  const double enlarged_1 = KSL_MUL(q->y, up);
+  const double enlarged_2 = KSL_MUL(q->z, up);
+  const double enlarged_3 = KSL_MUL(q->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double qo_0 = quotient_0 * down;
-  const double qo_1 = quotient_1 * down;
-  const double qo_2 = quotient_2 * down;
-  const double qo_3 = quotient_3 * down;
+  const double qo_0 = KSL_MUL(quotient_0, down);
+  const double qo_1 = KSL_MUL(quotient_1, down);
+  const double qo_2 = KSL_MUL(quotient_2, down);
+  const double qo_3 = KSL_MUL(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -9937,14 +10390,18 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
      and underflow. */
 static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->y, q2->z),
+      qo_0c = KSL_MUL(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MUL(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
+  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1b = KSL_MUL(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MUL(q1->w, q2->y),
+      qo_1 = qo_1e + qo_1f;
+  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2b = KSL_MUL(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MUL(q1->w, q2->z),
+      qo_2 = qo_2e + qo_2f;
+  const double qo_3a = KSL_MUL(q1->w, q2->w), qo_3b = KSL_MUL(q1->x, q2->x),
+      qo_3c = KSL_MUL(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, q2->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -9958,14 +10415,18 @@ static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaterni
      barring over- and underflow. */
 static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0b = KSL_MUL(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->w, q2->y), qo_1e = KSL_MUL(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->w, q2->z), qo_2e = KSL_MUL(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -9979,14 +10440,18 @@ static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quat
      barring over- and underflow. */
 static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = KSL_MUL(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = KSL_MUL(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -9999,18 +10464,18 @@ static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quat
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
-  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
-  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
+  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
+  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0b = KSL_MUL(q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1b = KSL_MUL(q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2b = KSL_MUL(q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -10026,18 +10491,18 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
      and underflow. */
 static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
-  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
-  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
+  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
+  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0b = KSL_MUL(q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1b = KSL_MUL(q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2b = KSL_MUL(q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -10051,10 +10516,10 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
    20 mul, 16 add, 1 div.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = q->w * q->w;
-  const double squares_1 = q->x * q->x;
-  const double squares_2 = q->y * q->y;
-  const double squares_3 = q->z * q->z;
+  const double squares_0 = KSL_MUL(q->w, q->w);
+  const double squares_1 = KSL_MUL(q->x, q->x);
+  const double squares_2 = KSL_MUL(q->y, q->y);
+  const double squares_3 = KSL_MUL(q->z, q->z);
   const double pairs_0 = squares_0 + squares_1;
   const double pairs_1 = squares_2 + squares_3;
   const double pairs_2 = squares_0 + squares_2;
@@ -10066,22 +10531,22 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   const double d0 = pairs_0 - pairs_1;
   const double d1 = pairs_2 - pairs_3;
   const double d2 = pairs_4 - pairs_5;
-  const double twice = 2.0 * factor;
-  const double m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b;
-  const double m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b;
-  const double m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b;
+  const double twice = KSL_MUL(2.0, factor);
+  const double m_0a = KSL_MUL(q->x, q->y), m_0b = KSL_MUL(q->z, q->w), m_0 = m_0a - m_0b;
+  const double m_1a = KSL_MUL(q->x, q->z), m_1b = KSL_MUL(q->y, q->w), m_1 = m_1a + m_1b;
+  const double m_2a = KSL_MUL(q->y, q->z), m_2b = KSL_MUL(q->x, q->w), m_2 = m_2a - m_2b;
   const double m_3 = m_0a + m_0b;
   const double m_4 = m_1a - m_1b;
   const double m_5 = m_2b + m_2a;
-  const double R_00 = factor * d0;
-  const double R_01 = twice * m_0;
-  const double R_02 = twice * m_1;
-  const double R_10 = twice * m_3;
-  const double R_11 = factor * d1;
-  const double R_12 = twice * m_2;
-  const double R_20 = twice * m_4;
-  const double R_21 = twice * m_5;
-  const double R_22 = factor * d2;
+  const double R_00 = KSL_MUL(factor, d0);
+  const double R_01 = KSL_MUL(twice, m_0);
+  const double R_02 = KSL_MUL(twice, m_1);
+  const double R_10 = KSL_MUL(twice, m_3);
+  const double R_11 = KSL_MUL(factor, d1);
+  const double R_12 = KSL_MUL(twice, m_2);
+  const double R_20 = KSL_MUL(twice, m_4);
+  const double R_21 = KSL_MUL(twice, m_5);
+  const double R_22 = KSL_MUL(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -10128,9 +10593,10 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
-      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
-      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
+  const double length_a = KSL_MUL(upper_0, upper_0), length_b = KSL_MUL(upper_1, upper_1),
+      length_c = length_a + length_b, length_d = KSL_MUL(upper_2, upper_2),
+      length_e = length_c + length_d, length_f = KSL_MUL(upper_3, upper_3),
+      length_g = length_e + length_f, length = sqrt(length_g);
   const double qo_0 = upper_0 / length;
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
@@ -10147,11 +10613,11 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
    Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
-  const double half = 0.5 * angle;
+  const double half = KSL_MUL(0.5, angle);
   const double sine = sin(half);
-  const double qo_0 = axis->x * sine;
-  const double qo_1 = axis->y * sine;
-  const double qo_2 = axis->z * sine;
+  const double qo_0 = KSL_MUL(axis->x, sine);
+  const double qo_1 = KSL_MUL(axis->y, sine);
+  const double qo_2 = KSL_MUL(axis->z, sine);
   const double qo_3 = cos(half);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -10176,20 +10642,20 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -10202,35 +10668,38 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
    Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
-  const double h_0 = 0.5 * v->x;
-  const double h_1 = 0.5 * v->y;
-  const double h_2 = 0.5 * v->z;
-  const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
+  const double h_0 = KSL_MUL(0.5, v->x);
+  const double h_1 = KSL_MUL(0.5, v->y);
+  const double h_2 = KSL_MUL(0.5, v->z);
+  const double x_a = KSL_MUL(h_0, h_0), x_b = KSL_MUL(h_1, h_1), x_c = x_a + x_b,
+      x_d = KSL_MUL(h_2, h_2), x = x_c + x_d;
   const double size = sqrt(x);
   const double cosine_a = cos(size), cosine = x < 1.0 ? 1.0 : cosine_a;
   const double sine_a = sin(size), sine = x < 1.0 ? 1.0 : sine_a;
   const double divisor = x < 1.0 ? 2.0 : size;
   const double far_k = sine / divisor;
-  const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
-      k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
-      k_g = x * k_f, k_h = k_g + 2.8114572543455206e-15, k_i = x * k_h,
-      k_j = k_i - 7.647163731819816e-13, k_k = x * k_j, k_l = k_k + 1.6059043836821613e-10,
-      k_m = x * k_l, k_n = k_m - 2.505210838544172e-08, k_o = x * k_n,
-      k_p = k_o + 2.7557319223985893e-06, k_q = x * k_p, k_r = k_q - 0.0001984126984126984,
-      k_s = x * k_r, k_t = k_s + 0.008333333333333333, k_u = x * k_t,
-      k_v = k_u - 0.16666666666666666, k_w = x * k_v, k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2 = g2w + 0.5;
-  const double near_a = x * g2, near = 1.0 - near_a;
-  const double qo_0 = h_0 * k;
-  const double qo_1 = h_1 * k;
-  const double qo_2 = h_2 * k;
+  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
+      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
+      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
+      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
+      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
+      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
+      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
+      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
+      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2 = g2w + 0.5;
+  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
+  const double qo_0 = KSL_MUL(h_0, k);
+  const double qo_1 = KSL_MUL(h_1, k);
+  const double qo_2 = KSL_MUL(h_2, k);
   const double qo_3 = x < 1.0 ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -10254,21 +10723,21 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double theta = 2.0 * half;
+  const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = upper_0 * k;
-  const double vector_1 = upper_1 * k;
-  const double vector_2 = upper_2 * k;
+  const double vector_0 = KSL_MUL(upper_0, k);
+  const double vector_1 = KSL_MUL(upper_1, k);
+  const double vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -10281,18 +10750,21 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
    Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
-  const double between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
-      between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
-      between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
-  const double between_1a = q1->x * q2->z, between_1b = q1->z * q2->x,
-      between_1c = between_1a - between_1b, between_1d = q1->w * q2->y, between_1e = q1->y * q2->w,
-      between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
-  const double between_2a = q1->y * q2->x, between_2b = q1->x * q2->y,
-      between_2c = between_2a - between_2b, between_2d = q1->w * q2->z, between_2e = q1->z * q2->w,
-      between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
-  const double between_3a = q1->x * q2->x, between_3b = q1->y * q2->y,
-      between_3c = between_3a + between_3b, between_3d = q1->z * q2->z,
-      between_3e = between_3c + between_3d, between_3f = q1->w * q2->w,
+  const double between_0a = KSL_MUL(q1->w, q2->x), between_0b = KSL_MUL(q1->x, q2->w),
+      between_0c = between_0a - between_0b, between_0d = KSL_MUL(q1->z, q2->y),
+      between_0e = KSL_MUL(q1->y, q2->z), between_0f = between_0d - between_0e,
+      between_0 = between_0c + between_0f;
+  const double between_1a = KSL_MUL(q1->x, q2->z), between_1b = KSL_MUL(q1->z, q2->x),
+      between_1c = between_1a - between_1b, between_1d = KSL_MUL(q1->w, q2->y),
+      between_1e = KSL_MUL(q1->y, q2->w), between_1f = between_1d - between_1e,
+      between_1 = between_1c + between_1f;
+  const double between_2a = KSL_MUL(q1->y, q2->x), between_2b = KSL_MUL(q1->x, q2->y),
+      between_2c = between_2a - between_2b, between_2d = KSL_MUL(q1->w, q2->z),
+      between_2e = KSL_MUL(q1->z, q2->w), between_2f = between_2d - between_2e,
+      between_2 = between_2c + between_2f;
+  const double between_3a = KSL_MUL(q1->x, q2->x), between_3b = KSL_MUL(q1->y, q2->y),
+      between_3c = between_3a + between_3b, between_3d = KSL_MUL(q1->z, q2->z),
+      between_3e = between_3c + between_3d, between_3f = KSL_MUL(q1->w, q2->w),
       between_3 = between_3e + between_3f;
   const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
@@ -10305,67 +10777,73 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
-  const double kv_0 = k * upper_0;
-  const double kv_1 = k * upper_1;
-  const double kv_2 = k * upper_2;
-  const double step_0 = rate * kv_0;
-  const double step_1 = rate * kv_1;
-  const double step_2 = rate * kv_2;
-  const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
+  const double kv_0 = KSL_MUL(k, upper_0);
+  const double kv_1 = KSL_MUL(k, upper_1);
+  const double kv_2 = KSL_MUL(k, upper_2);
+  const double step_0 = KSL_MUL(rate, kv_0);
+  const double step_1 = KSL_MUL(rate, kv_1);
+  const double step_2 = KSL_MUL(rate, kv_2);
+  const double exp_x_a = KSL_MUL(step_0, step_0), exp_x_b = KSL_MUL(step_1, step_1),
+      exp_x_c = exp_x_a + exp_x_b, exp_x_d = KSL_MUL(step_2, step_2), exp_x = exp_x_c + exp_x_d;
   const double exp_size = sqrt(exp_x);
   const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 1.0 ? 1.0 : exp_cosine_a;
   const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 1.0 ? 1.0 : exp_sine_a;
   const double exp_divisor = exp_x < 1.0 ? 2.0 : exp_size;
   const double exp_far_k = exp_sine / exp_divisor;
-  const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
-      exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
-      exp_k_e = exp_x * exp_k_d, exp_k_f = exp_k_e - 8.22063524662433e-18,
-      exp_k_g = exp_x * exp_k_f, exp_k_h = exp_k_g + 2.8114572543455206e-15,
-      exp_k_i = exp_x * exp_k_h, exp_k_j = exp_k_i - 7.647163731819816e-13,
-      exp_k_k = exp_x * exp_k_j, exp_k_l = exp_k_k + 1.6059043836821613e-10,
-      exp_k_m = exp_x * exp_k_l, exp_k_n = exp_k_m - 2.505210838544172e-08,
-      exp_k_o = exp_x * exp_k_n, exp_k_p = exp_k_o + 2.7557319223985893e-06,
-      exp_k_q = exp_x * exp_k_p, exp_k_r = exp_k_q - 0.0001984126984126984,
-      exp_k_s = exp_x * exp_k_r, exp_k_t = exp_k_s + 0.008333333333333333,
-      exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = exp_x * exp_k_v,
+  const double exp_k_a = KSL_MUL(6.446950284384474e-26, exp_x),
+      exp_k_b = exp_k_a - 3.868170170630684e-23, exp_k_c = KSL_MUL(exp_x, exp_k_b),
+      exp_k_d = exp_k_c + 1.9572941063391263e-20, exp_k_e = KSL_MUL(exp_x, exp_k_d),
+      exp_k_f = exp_k_e - 8.22063524662433e-18, exp_k_g = KSL_MUL(exp_x, exp_k_f),
+      exp_k_h = exp_k_g + 2.8114572543455206e-15, exp_k_i = KSL_MUL(exp_x, exp_k_h),
+      exp_k_j = exp_k_i - 7.647163731819816e-13, exp_k_k = KSL_MUL(exp_x, exp_k_j),
+      exp_k_l = exp_k_k + 1.6059043836821613e-10, exp_k_m = KSL_MUL(exp_x, exp_k_l),
+      exp_k_n = exp_k_m - 2.505210838544172e-08, exp_k_o = KSL_MUL(exp_x, exp_k_n),
+      exp_k_p = exp_k_o + 2.7557319223985893e-06, exp_k_q = KSL_MUL(exp_x, exp_k_p),
+      exp_k_r = exp_k_q - 0.0001984126984126984, exp_k_s = KSL_MUL(exp_x, exp_k_r),
+      exp_k_t = exp_k_s + 0.008333333333333333, exp_k_u = KSL_MUL(exp_x, exp_k_t),
+      exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = KSL_MUL(exp_x, exp_k_v),
       exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
-  const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
-      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
-      exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
-      exp_g2g = exp_x * exp_g2f, exp_g2h = exp_g2g + 1.5619206968586225e-16,
-      exp_g2i = exp_x * exp_g2h, exp_g2j = exp_g2i - 4.779477332387385e-14,
-      exp_g2k = exp_x * exp_g2j, exp_g2l = exp_g2k + 1.1470745597729725e-11,
-      exp_g2m = exp_x * exp_g2l, exp_g2n = exp_g2m - 2.08767569878681e-09,
-      exp_g2o = exp_x * exp_g2n, exp_g2p = exp_g2o + 2.755731922398589e-07,
-      exp_g2q = exp_x * exp_g2p, exp_g2r = exp_g2q - 2.48015873015873e-05,
-      exp_g2s = exp_x * exp_g2r, exp_g2t = exp_g2s + 0.001388888888888889,
-      exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
-      exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5;
-  const double exp_near_a = exp_x * exp_g2, exp_near = 1.0 - exp_near_a;
-  const double power_0 = step_0 * exp_k;
-  const double power_1 = step_1 * exp_k;
-  const double power_2 = step_2 * exp_k;
+  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
+      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
+      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
+      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
+      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
+      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
+      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
+      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
+      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
+      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
+      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
+      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
+      exp_g2 = exp_g2w + 0.5;
+  const double exp_near_a = KSL_MUL(exp_x, exp_g2), exp_near = 1.0 - exp_near_a;
+  const double power_0 = KSL_MUL(step_0, exp_k);
+  const double power_1 = KSL_MUL(step_1, exp_k);
+  const double power_2 = KSL_MUL(step_2, exp_k);
   const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double qo_0a = q1->x * power_3, qo_0b = q1->y * power_2, qo_0c = q1->z * power_1,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * power_0, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = q1->z * power_0, qo_1b = q1->x * power_2, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * power_3, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * power_1, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = q1->x * power_1, qo_2b = q1->y * power_0, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * power_3, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * power_2, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1->w * power_3, qo_3b = q1->x * power_0, qo_3c = q1->y * power_1,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * power_2, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0a = KSL_MUL(q1->x, power_3), qo_0b = KSL_MUL(q1->y, power_2),
+      qo_0c = KSL_MUL(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MUL(q1->w, power_0), qo_0 = qo_0e + qo_0f;
+  const double qo_1a = KSL_MUL(q1->z, power_0), qo_1b = KSL_MUL(q1->x, power_2),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1->y, power_3), qo_1e = qo_1c + qo_1d,
+      qo_1f = KSL_MUL(q1->w, power_1), qo_1 = qo_1e + qo_1f;
+  const double qo_2a = KSL_MUL(q1->x, power_1), qo_2b = KSL_MUL(q1->y, power_0),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1->z, power_3), qo_2e = qo_2c + qo_2d,
+      qo_2f = KSL_MUL(q1->w, power_2), qo_2 = qo_2e + qo_2f;
+  const double qo_3a = KSL_MUL(q1->w, power_3), qo_3b = KSL_MUL(q1->x, power_0),
+      qo_3c = KSL_MUL(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, power_2),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -10403,10 +10881,10 @@ static inline void ksl_quaternionf_copy(const ksl_quaternionf_t *qi, ksl_quatern
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -10452,14 +10930,15 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = q->x * s;
-  const float y_1 = q->y * s;
-  const float y_2 = q->z * s;
-  const float y_3 = q->w * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float y_0 = KSL_MULF(q->x, s);
+  const float y_1 = KSL_MULF(q->y, s);
+  const float y_2 = KSL_MULF(q->z, s);
+  const float y_3 = KSL_MULF(q->w, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
+      n = sqrtf(n_g);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -10476,27 +10955,28 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = self->x * s;
-  const float y_1 = self->y * s;
-  const float y_2 = self->z * s;
-  const float y_3 = self->w * s;
+  const float y_0 = KSL_MULF(self->x, s);
+  const float y_1 = KSL_MULF(self->y, s);
+  const float y_2 = KSL_MULF(self->z, s);
+  const float y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
+      n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->x * up;
-  const float enlarged_1 = self->y * up;
-  const float enlarged_2 = self->z * up;
-  const float enlarged_3 = self->w * up;
+  const float enlarged_0 = KSL_MULF(self->x, up);
+  const float enlarged_1 = KSL_MULF(self->y, up);
+  const float enlarged_2 = KSL_MULF(self->z, up);
+  const float enlarged_3 = KSL_MULF(self->w, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
-  const float self_3_new = quotient_3 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
+  const float self_3_new = KSL_MULF(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -10516,27 +10996,28 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = q->x * s;
-  const float y_1 = q->y * s;
-  const float y_2 = q->z * s;
-  const float y_3 = q->w * s;
+  const float y_0 = KSL_MULF(q->x, s);
+  const float y_1 = KSL_MULF(q->y, s);
+  const float y_2 = KSL_MULF(q->z, s);
+  const float y_3 = KSL_MULF(q->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
+      n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = q->x * up;
-  const float enlarged_1 = q->y * up;
-  const float enlarged_2 = q->z * up;
-  const float enlarged_3 = q->w * up;
+  const float enlarged_0 = KSL_MULF(q->x, up);
+  const float enlarged_1 = KSL_MULF(q->y, up);
+  const float enlarged_2 = KSL_MULF(q->z, up);
+  const float enlarged_3 = KSL_MULF(q->w, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
-  const float qo_0 = quotient_0 * down;
-  const float qo_1 = quotient_1 * down;
-  const float qo_2 = quotient_2 * down;
-  const float qo_3 = quotient_3 * down;
+  const float qo_0 = KSL_MULF(quotient_0, down);
+  const float qo_1 = KSL_MULF(quotient_1, down);
+  const float qo_2 = KSL_MULF(quotient_2, down);
+  const float qo_3 = KSL_MULF(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -10550,14 +11031,18 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
      and underflow. */
 static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
-  const float qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
-  const float qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->y, q2->z),
+      qo_0c = KSL_MULF(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MULF(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
+  const float qo_1a = KSL_MULF(q1->z, q2->x), qo_1b = KSL_MULF(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MULF(q1->w, q2->y),
+      qo_1 = qo_1e + qo_1f;
+  const float qo_2a = KSL_MULF(q1->x, q2->y), qo_2b = KSL_MULF(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MULF(q1->w, q2->z),
+      qo_2 = qo_2e + qo_2f;
+  const float qo_3a = KSL_MULF(q1->w, q2->w), qo_3b = KSL_MULF(q1->x, q2->x),
+      qo_3c = KSL_MULF(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, q2->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -10571,14 +11056,18 @@ static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quater
      barring over- and underflow. */
 static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a = KSL_MULF(q1->w, q2->x), qo_0b = KSL_MULF(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->w, q2->y), qo_1e = KSL_MULF(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->w, q2->z), qo_2e = KSL_MULF(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -10592,14 +11081,18 @@ static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_qu
      barring over- and underflow. */
 static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = KSL_MULF(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = KSL_MULF(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -10613,18 +11106,18 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_qu
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
-  const float c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
-  const float c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const float turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const float turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(q->x, v->y), c_2b = KSL_MULF(q->y, v->x), c_2 = c_2a - c_2b;
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->y, t_2), turn_0b = KSL_MULF(q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const float turn_1a = KSL_MULF(q->z, t_0), turn_1b = KSL_MULF(q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const float turn_2a = KSL_MULF(q->x, t_1), turn_2b = KSL_MULF(q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -10640,18 +11133,18 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
-  const float c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
-  const float c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const float turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const float turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(q->y, v->x), c_2b = KSL_MULF(q->x, v->y), c_2 = c_2a - c_2b;
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->z, t_1), turn_0b = KSL_MULF(q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const float turn_1a = KSL_MULF(q->x, t_2), turn_1b = KSL_MULF(q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const float turn_2a = KSL_MULF(q->y, t_0), turn_2b = KSL_MULF(q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -10665,10 +11158,10 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
    20 mul, 16 add, 1 div.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
-  const float squares_0 = q->w * q->w;
-  const float squares_1 = q->x * q->x;
-  const float squares_2 = q->y * q->y;
-  const float squares_3 = q->z * q->z;
+  const float squares_0 = KSL_MULF(q->w, q->w);
+  const float squares_1 = KSL_MULF(q->x, q->x);
+  const float squares_2 = KSL_MULF(q->y, q->y);
+  const float squares_3 = KSL_MULF(q->z, q->z);
   const float pairs_0 = squares_0 + squares_1;
   const float pairs_1 = squares_2 + squares_3;
   const float pairs_2 = squares_0 + squares_2;
@@ -10680,22 +11173,22 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   const float d0 = pairs_0 - pairs_1;
   const float d1 = pairs_2 - pairs_3;
   const float d2 = pairs_4 - pairs_5;
-  const float twice = 2.0f * factor;
-  const float m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b;
-  const float m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b;
-  const float m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b;
+  const float twice = KSL_MULF(2.0f, factor);
+  const float m_0a = KSL_MULF(q->x, q->y), m_0b = KSL_MULF(q->z, q->w), m_0 = m_0a - m_0b;
+  const float m_1a = KSL_MULF(q->x, q->z), m_1b = KSL_MULF(q->y, q->w), m_1 = m_1a + m_1b;
+  const float m_2a = KSL_MULF(q->y, q->z), m_2b = KSL_MULF(q->x, q->w), m_2 = m_2a - m_2b;
   const float m_3 = m_0a + m_0b;
   const float m_4 = m_1a - m_1b;
   const float m_5 = m_2b + m_2a;
-  const float R_00 = factor * d0;
-  const float R_01 = twice * m_0;
-  const float R_02 = twice * m_1;
-  const float R_10 = twice * m_3;
-  const float R_11 = factor * d1;
-  const float R_12 = twice * m_2;
-  const float R_20 = twice * m_4;
-  const float R_21 = twice * m_5;
-  const float R_22 = factor * d2;
+  const float R_00 = KSL_MULF(factor, d0);
+  const float R_01 = KSL_MULF(twice, m_0);
+  const float R_02 = KSL_MULF(twice, m_1);
+  const float R_10 = KSL_MULF(twice, m_3);
+  const float R_11 = KSL_MULF(factor, d1);
+  const float R_12 = KSL_MULF(twice, m_2);
+  const float R_20 = KSL_MULF(twice, m_4);
+  const float R_21 = KSL_MULF(twice, m_5);
+  const float R_22 = KSL_MULF(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -10742,9 +11235,10 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
-      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
-      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrtf(length_g);
+  const float length_a = KSL_MULF(upper_0, upper_0), length_b = KSL_MULF(upper_1, upper_1),
+      length_c = length_a + length_b, length_d = KSL_MULF(upper_2, upper_2),
+      length_e = length_c + length_d, length_f = KSL_MULF(upper_3, upper_3),
+      length_g = length_e + length_f, length = sqrtf(length_g);
   const float qo_0 = upper_0 / length;
   const float qo_1 = upper_1 / length;
   const float qo_2 = upper_2 / length;
@@ -10761,11 +11255,11 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
    Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
-  const float half = 0.5f * angle;
+  const float half = KSL_MULF(0.5f, angle);
   const float sine = sinf(half);
-  const float qo_0 = axis->x * sine;
-  const float qo_1 = axis->y * sine;
-  const float qo_2 = axis->z * sine;
+  const float qo_0 = KSL_MULF(axis->x, sine);
+  const float qo_1 = KSL_MULF(axis->y, sine);
+  const float qo_2 = KSL_MULF(axis->z, sine);
   const float qo_3 = cosf(half);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -10790,19 +11284,19 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
   const float unit_2 = v_y_2 / divisor;
-  const float angle = 2.0f * half;
+  const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -10815,33 +11309,36 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
    Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
-  const float h_0 = 0.5f * v->x;
-  const float h_1 = 0.5f * v->y;
-  const float h_2 = 0.5f * v->z;
-  const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
+  const float h_0 = KSL_MULF(0.5f, v->x);
+  const float h_1 = KSL_MULF(0.5f, v->y);
+  const float h_2 = KSL_MULF(0.5f, v->z);
+  const float x_a = KSL_MULF(h_0, h_0), x_b = KSL_MULF(h_1, h_1), x_c = x_a + x_b,
+      x_d = KSL_MULF(h_2, h_2), x = x_c + x_d;
   const float size = sqrtf(x);
   const float cosine_a = cosf(size), cosine = x < 1.0f ? 1.0f : cosine_a;
   const float sine_a = sinf(size), sine = x < 1.0f ? 1.0f : sine_a;
   const float divisor = x < 1.0f ? 2.0f : size;
   const float far_k = sine / divisor;
-  const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
-      k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
-      k_h = k_g + 2.8114574e-15f, k_i = x * k_h, k_j = k_i - 7.6471636e-13f, k_k = x * k_j,
-      k_l = k_k + 1.6059044e-10f, k_m = x * k_l, k_n = k_m - 2.5052108e-08f, k_o = x * k_n,
-      k_p = k_o + 2.7557319e-06f, k_q = x * k_p, k_r = k_q - 0.0001984127f, k_s = x * k_r,
-      k_t = k_s + 0.008333334f, k_u = x * k_t, k_v = k_u - 0.16666667f, k_w = x * k_v,
-      k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2 = g2w + 0.5f;
-  const float near_a = x * g2, near = 1.0f - near_a;
-  const float qo_0 = h_0 * k;
-  const float qo_1 = h_1 * k;
-  const float qo_2 = h_2 * k;
+  const float k_a = KSL_MULF(6.4469503e-26f, x), k_b = k_a - 3.8681703e-23f, k_c = KSL_MULF(x, k_b),
+      k_d = k_c + 1.9572942e-20f, k_e = KSL_MULF(x, k_d), k_f = k_e - 8.220635e-18f,
+      k_g = KSL_MULF(x, k_f), k_h = k_g + 2.8114574e-15f, k_i = KSL_MULF(x, k_h),
+      k_j = k_i - 7.6471636e-13f, k_k = KSL_MULF(x, k_j), k_l = k_k + 1.6059044e-10f,
+      k_m = KSL_MULF(x, k_l), k_n = k_m - 2.5052108e-08f, k_o = KSL_MULF(x, k_n),
+      k_p = k_o + 2.7557319e-06f, k_q = KSL_MULF(x, k_p), k_r = k_q - 0.0001984127f,
+      k_s = KSL_MULF(x, k_r), k_t = k_s + 0.008333334f, k_u = KSL_MULF(x, k_t),
+      k_v = k_u - 0.16666667f, k_w = KSL_MULF(x, k_v), k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2 = g2w + 0.5f;
+  const float near_a = KSL_MULF(x, g2), near = 1.0f - near_a;
+  const float qo_0 = KSL_MULF(h_0, k);
+  const float qo_1 = KSL_MULF(h_1, k);
+  const float qo_2 = KSL_MULF(h_2, k);
   const float qo_3 = x < 1.0f ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -10865,20 +11362,20 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float theta = 2.0f * half;
+  const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = upper_0 * k;
-  const float vector_1 = upper_1 * k;
-  const float vector_2 = upper_2 * k;
+  const float vector_0 = KSL_MULF(upper_0, k);
+  const float vector_1 = KSL_MULF(upper_1, k);
+  const float vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -10891,18 +11388,21 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
    Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
-  const float between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
-      between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
-      between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
-  const float between_1a = q1->x * q2->z, between_1b = q1->z * q2->x,
-      between_1c = between_1a - between_1b, between_1d = q1->w * q2->y, between_1e = q1->y * q2->w,
-      between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
-  const float between_2a = q1->y * q2->x, between_2b = q1->x * q2->y,
-      between_2c = between_2a - between_2b, between_2d = q1->w * q2->z, between_2e = q1->z * q2->w,
-      between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
-  const float between_3a = q1->x * q2->x, between_3b = q1->y * q2->y,
-      between_3c = between_3a + between_3b, between_3d = q1->z * q2->z,
-      between_3e = between_3c + between_3d, between_3f = q1->w * q2->w,
+  const float between_0a = KSL_MULF(q1->w, q2->x), between_0b = KSL_MULF(q1->x, q2->w),
+      between_0c = between_0a - between_0b, between_0d = KSL_MULF(q1->z, q2->y),
+      between_0e = KSL_MULF(q1->y, q2->z), between_0f = between_0d - between_0e,
+      between_0 = between_0c + between_0f;
+  const float between_1a = KSL_MULF(q1->x, q2->z), between_1b = KSL_MULF(q1->z, q2->x),
+      between_1c = between_1a - between_1b, between_1d = KSL_MULF(q1->w, q2->y),
+      between_1e = KSL_MULF(q1->y, q2->w), between_1f = between_1d - between_1e,
+      between_1 = between_1c + between_1f;
+  const float between_2a = KSL_MULF(q1->y, q2->x), between_2b = KSL_MULF(q1->x, q2->y),
+      between_2c = between_2a - between_2b, between_2d = KSL_MULF(q1->w, q2->z),
+      between_2e = KSL_MULF(q1->z, q2->w), between_2f = between_2d - between_2e,
+      between_2 = between_2c + between_2f;
+  const float between_3a = KSL_MULF(q1->x, q2->x), between_3b = KSL_MULF(q1->y, q2->y),
+      between_3c = between_3a + between_3b, between_3d = KSL_MULF(q1->z, q2->z),
+      between_3e = between_3c + between_3d, between_3f = KSL_MULF(q1->w, q2->w),
       between_3 = between_3e + between_3f;
   const float upper_0a = -between_0, upper_0 = between_3 < 0.0f ? upper_0a : between_0;
   const float upper_1a = -between_1, upper_1 = between_3 < 0.0f ? upper_1a : between_1;
@@ -10915,65 +11415,71 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float rate = half / divisor;
-  const float kv_0 = k * upper_0;
-  const float kv_1 = k * upper_1;
-  const float kv_2 = k * upper_2;
-  const float step_0 = rate * kv_0;
-  const float step_1 = rate * kv_1;
-  const float step_2 = rate * kv_2;
-  const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
+  const float kv_0 = KSL_MULF(k, upper_0);
+  const float kv_1 = KSL_MULF(k, upper_1);
+  const float kv_2 = KSL_MULF(k, upper_2);
+  const float step_0 = KSL_MULF(rate, kv_0);
+  const float step_1 = KSL_MULF(rate, kv_1);
+  const float step_2 = KSL_MULF(rate, kv_2);
+  const float exp_x_a = KSL_MULF(step_0, step_0), exp_x_b = KSL_MULF(step_1, step_1),
+      exp_x_c = exp_x_a + exp_x_b, exp_x_d = KSL_MULF(step_2, step_2), exp_x = exp_x_c + exp_x_d;
   const float exp_size = sqrtf(exp_x);
   const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 1.0f ? 1.0f : exp_cosine_a;
   const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 1.0f ? 1.0f : exp_sine_a;
   const float exp_divisor = exp_x < 1.0f ? 2.0f : exp_size;
   const float exp_far_k = exp_sine / exp_divisor;
-  const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
-      exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
-      exp_k_f = exp_k_e - 8.220635e-18f, exp_k_g = exp_x * exp_k_f,
-      exp_k_h = exp_k_g + 2.8114574e-15f, exp_k_i = exp_x * exp_k_h,
-      exp_k_j = exp_k_i - 7.6471636e-13f, exp_k_k = exp_x * exp_k_j,
-      exp_k_l = exp_k_k + 1.6059044e-10f, exp_k_m = exp_x * exp_k_l,
-      exp_k_n = exp_k_m - 2.5052108e-08f, exp_k_o = exp_x * exp_k_n,
-      exp_k_p = exp_k_o + 2.7557319e-06f, exp_k_q = exp_x * exp_k_p,
-      exp_k_r = exp_k_q - 0.0001984127f, exp_k_s = exp_x * exp_k_r,
-      exp_k_t = exp_k_s + 0.008333334f, exp_k_u = exp_x * exp_k_t, exp_k_v = exp_k_u - 0.16666667f,
-      exp_k_w = exp_x * exp_k_v, exp_k_x = exp_k_w + 1.0f,
+  const float exp_k_a = KSL_MULF(6.4469503e-26f, exp_x), exp_k_b = exp_k_a - 3.8681703e-23f,
+      exp_k_c = KSL_MULF(exp_x, exp_k_b), exp_k_d = exp_k_c + 1.9572942e-20f,
+      exp_k_e = KSL_MULF(exp_x, exp_k_d), exp_k_f = exp_k_e - 8.220635e-18f,
+      exp_k_g = KSL_MULF(exp_x, exp_k_f), exp_k_h = exp_k_g + 2.8114574e-15f,
+      exp_k_i = KSL_MULF(exp_x, exp_k_h), exp_k_j = exp_k_i - 7.6471636e-13f,
+      exp_k_k = KSL_MULF(exp_x, exp_k_j), exp_k_l = exp_k_k + 1.6059044e-10f,
+      exp_k_m = KSL_MULF(exp_x, exp_k_l), exp_k_n = exp_k_m - 2.5052108e-08f,
+      exp_k_o = KSL_MULF(exp_x, exp_k_n), exp_k_p = exp_k_o + 2.7557319e-06f,
+      exp_k_q = KSL_MULF(exp_x, exp_k_p), exp_k_r = exp_k_q - 0.0001984127f,
+      exp_k_s = KSL_MULF(exp_x, exp_k_r), exp_k_t = exp_k_s + 0.008333334f,
+      exp_k_u = KSL_MULF(exp_x, exp_k_t), exp_k_v = exp_k_u - 0.16666667f,
+      exp_k_w = KSL_MULF(exp_x, exp_k_v), exp_k_x = exp_k_w + 1.0f,
       exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
-  const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
-      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
-      exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
-      exp_g2h = exp_g2g + 1.5619207e-16f, exp_g2i = exp_x * exp_g2h,
-      exp_g2j = exp_g2i - 4.7794773e-14f, exp_g2k = exp_x * exp_g2j,
-      exp_g2l = exp_g2k + 1.1470745e-11f, exp_g2m = exp_x * exp_g2l,
-      exp_g2n = exp_g2m - 2.0876756e-09f, exp_g2o = exp_x * exp_g2n,
-      exp_g2p = exp_g2o + 2.755732e-07f, exp_g2q = exp_x * exp_g2p,
-      exp_g2r = exp_g2q - 2.4801588e-05f, exp_g2s = exp_x * exp_g2r,
-      exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
-      exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5f;
-  const float exp_near_a = exp_x * exp_g2, exp_near = 1.0f - exp_near_a;
-  const float power_0 = step_0 * exp_k;
-  const float power_1 = step_1 * exp_k;
-  const float power_2 = step_2 * exp_k;
+  const float exp_g2a = KSL_MULF(2.4795963e-27f, exp_x), exp_g2b = exp_g2a - 1.6117376e-24f,
+      exp_g2c = KSL_MULF(exp_x, exp_g2b), exp_g2d = exp_g2c + 8.896791e-22f,
+      exp_g2e = KSL_MULF(exp_x, exp_g2d), exp_g2f = exp_g2e - 4.1103176e-19f,
+      exp_g2g = KSL_MULF(exp_x, exp_g2f), exp_g2h = exp_g2g + 1.5619207e-16f,
+      exp_g2i = KSL_MULF(exp_x, exp_g2h), exp_g2j = exp_g2i - 4.7794773e-14f,
+      exp_g2k = KSL_MULF(exp_x, exp_g2j), exp_g2l = exp_g2k + 1.1470745e-11f,
+      exp_g2m = KSL_MULF(exp_x, exp_g2l), exp_g2n = exp_g2m - 2.0876756e-09f,
+      exp_g2o = KSL_MULF(exp_x, exp_g2n), exp_g2p = exp_g2o + 2.755732e-07f,
+      exp_g2q = KSL_MULF(exp_x, exp_g2p), exp_g2r = exp_g2q - 2.4801588e-05f,
+      exp_g2s = KSL_MULF(exp_x, exp_g2r), exp_g2t = exp_g2s + 0.0013888889f,
+      exp_g2u = KSL_MULF(exp_x, exp_g2t), exp_g2v = exp_g2u - 0.041666668f,
+      exp_g2w = KSL_MULF(exp_x, exp_g2v), exp_g2 = exp_g2w + 0.5f;
+  const float exp_near_a = KSL_MULF(exp_x, exp_g2), exp_near = 1.0f - exp_near_a;
+  const float power_0 = KSL_MULF(step_0, exp_k);
+  const float power_1 = KSL_MULF(step_1, exp_k);
+  const float power_2 = KSL_MULF(step_2, exp_k);
   const float power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
-  const float qo_0a = q1->x * power_3, qo_0b = q1->y * power_2, qo_0c = q1->z * power_1,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * power_0, qo_0 = qo_0e + qo_0f;
-  const float qo_1a = q1->z * power_0, qo_1b = q1->x * power_2, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * power_3, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * power_1, qo_1 = qo_1e + qo_1f;
-  const float qo_2a = q1->x * power_1, qo_2b = q1->y * power_0, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * power_3, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * power_2, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1->w * power_3, qo_3b = q1->x * power_0, qo_3c = q1->y * power_1,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * power_2, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0a = KSL_MULF(q1->x, power_3), qo_0b = KSL_MULF(q1->y, power_2),
+      qo_0c = KSL_MULF(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MULF(q1->w, power_0), qo_0 = qo_0e + qo_0f;
+  const float qo_1a = KSL_MULF(q1->z, power_0), qo_1b = KSL_MULF(q1->x, power_2),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1->y, power_3), qo_1e = qo_1c + qo_1d,
+      qo_1f = KSL_MULF(q1->w, power_1), qo_1 = qo_1e + qo_1f;
+  const float qo_2a = KSL_MULF(q1->x, power_1), qo_2b = KSL_MULF(q1->y, power_0),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1->z, power_3), qo_2e = qo_2c + qo_2d,
+      qo_2f = KSL_MULF(q1->w, power_2), qo_2 = qo_2e + qo_2f;
+  const float qo_3a = KSL_MULF(q1->w, power_3), qo_3b = KSL_MULF(q1->x, power_0),
+      qo_3c = KSL_MULF(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, power_2),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -11031,56 +11537,57 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double sum_0 = v->x + high_0;
   const double sum_1 = v->y + high_1;
   const double sum_2 = v->z + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
-  const double beta_v_0 = v->x * g2;
-  const double beta_v_1 = v->y * g2;
-  const double beta_v_2 = v->z * g2;
-  const double m_0 = v->x * beta_v_0;
-  const double m_1 = v->y * beta_v_1;
-  const double m_2 = v->z * beta_v_2;
-  const double m_3 = v->y * beta_v_0;
-  const double m_4 = v->z * beta_v_0;
-  const double m_5 = v->z * beta_v_1;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
+  const double beta_v_0 = KSL_MUL(v->x, g2);
+  const double beta_v_1 = KSL_MUL(v->y, g2);
+  const double beta_v_2 = KSL_MUL(v->z, g2);
+  const double m_0 = KSL_MUL(v->x, beta_v_0);
+  const double m_1 = KSL_MUL(v->y, beta_v_1);
+  const double m_2 = KSL_MUL(v->z, beta_v_2);
+  const double m_3 = KSL_MUL(v->y, beta_v_0);
+  const double m_4 = KSL_MUL(v->z, beta_v_0);
+  const double m_5 = KSL_MUL(v->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11090,9 +11597,9 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = v->x * g1;
-  const double alpha_v_1 = v->y * g1;
-  const double alpha_v_2 = v->z * g1;
+  const double alpha_v_0 = KSL_MUL(v->x, g1);
+  const double alpha_v_1 = KSL_MUL(v->y, g1);
+  const double alpha_v_2 = KSL_MUL(v->z, g1);
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -11152,21 +11659,21 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double theta = 2.0 * half;
+  const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = upper_0 * k;
-  const double vector_1 = upper_1 * k;
-  const double vector_2 = upper_2 * k;
+  const double vector_0 = KSL_MUL(upper_0, k);
+  const double vector_1 = KSL_MUL(upper_1, k);
+  const double vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -11189,25 +11696,25 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double sum_0 = v->x + high_0;
   const double sum_1 = v->y + high_1;
   const double sum_2 = v->z + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -11215,41 +11722,42 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
-      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
-      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
-      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
-      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
-      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
-      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
-      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
-      g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = v->x * g3;
-  const double beta_v_1 = v->y * g3;
-  const double beta_v_2 = v->z * g3;
-  const double m_0 = v->x * beta_v_0;
-  const double m_1 = v->y * beta_v_1;
-  const double m_2 = v->z * beta_v_2;
-  const double m_3 = v->y * beta_v_0;
-  const double m_4 = v->z * beta_v_0;
-  const double m_5 = v->z * beta_v_1;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
+      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
+      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
+      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
+      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
+      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
+      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
+      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
+      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = KSL_MUL(v->x, g3);
+  const double beta_v_1 = KSL_MUL(v->y, g3);
+  const double beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0);
+  const double m_1 = KSL_MUL(v->y, beta_v_1);
+  const double m_2 = KSL_MUL(v->z, beta_v_2);
+  const double m_3 = KSL_MUL(v->y, beta_v_0);
+  const double m_4 = KSL_MUL(v->z, beta_v_0);
+  const double m_5 = KSL_MUL(v->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11259,9 +11767,9 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = v->x * g2;
-  const double alpha_v_1 = v->y * g2;
-  const double alpha_v_2 = v->z * g2;
+  const double alpha_v_0 = KSL_MUL(v->x, g2);
+  const double alpha_v_1 = KSL_MUL(v->y, g2);
+  const double alpha_v_2 = KSL_MUL(v->z, g2);
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -11296,25 +11804,25 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double sum_0 = v->x + high_0;
   const double sum_1 = v->y + high_1;
   const double sum_2 = v->z + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -11322,41 +11830,42 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
-      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
-      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
-      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
-      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
-      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
-      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
-      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
-      g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = v->x * g3;
-  const double beta_v_1 = v->y * g3;
-  const double beta_v_2 = v->z * g3;
-  const double m_0 = v->x * beta_v_0;
-  const double m_1 = v->y * beta_v_1;
-  const double m_2 = v->z * beta_v_2;
-  const double m_3 = v->y * beta_v_0;
-  const double m_4 = v->z * beta_v_0;
-  const double m_5 = v->z * beta_v_1;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
+      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
+      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
+      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
+      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
+      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
+      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
+      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
+      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = KSL_MUL(v->x, g3);
+  const double beta_v_1 = KSL_MUL(v->y, g3);
+  const double beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0);
+  const double m_1 = KSL_MUL(v->y, beta_v_1);
+  const double m_2 = KSL_MUL(v->z, beta_v_2);
+  const double m_3 = KSL_MUL(v->y, beta_v_0);
+  const double m_4 = KSL_MUL(v->z, beta_v_0);
+  const double m_5 = KSL_MUL(v->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11366,9 +11875,9 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = v->x * g2, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = v->y * g2, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = v->z * g2, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0a = KSL_MUL(v->x, g2), alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = KSL_MUL(v->y, g2), alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = KSL_MUL(v->z, g2), alpha_v_2 = -alpha_v_2a;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -11404,54 +11913,56 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double sum_0 = v->x + high_0;
   const double sum_1 = v->y + high_1;
   const double sum_2 = v->z + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double half_cotangent_a = KSL_MUL(0.5, theta),
+      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
-      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
-      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
-      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
-      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
-      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
-      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
-      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
-      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
-      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
-      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
+      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
+      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
+      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
+      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
+      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
+      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
+      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
+      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
+      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
+      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
+      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
       b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = v->x * b;
-  const double beta_v_1 = v->y * b;
-  const double beta_v_2 = v->z * b;
-  const double m_0 = v->x * beta_v_0;
-  const double m_1 = v->y * beta_v_1;
-  const double m_2 = v->z * beta_v_2;
-  const double m_3 = v->y * beta_v_0;
-  const double m_4 = v->z * beta_v_0;
-  const double m_5 = v->z * beta_v_1;
+  const double beta_v_0 = KSL_MUL(v->x, b);
+  const double beta_v_1 = KSL_MUL(v->y, b);
+  const double beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0);
+  const double m_1 = KSL_MUL(v->y, beta_v_1);
+  const double m_2 = KSL_MUL(v->z, beta_v_2);
+  const double m_3 = KSL_MUL(v->y, beta_v_0);
+  const double m_4 = KSL_MUL(v->z, beta_v_0);
+  const double m_5 = KSL_MUL(v->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11461,9 +11972,9 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = 0.5 * v->x, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = 0.5 * v->y, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = 0.5 * v->z, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0a = KSL_MUL(0.5, v->x), alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = KSL_MUL(0.5, v->y), alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = KSL_MUL(0.5, v->z), alpha_v_2 = -alpha_v_2a;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -11499,54 +12010,56 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double sum_0 = v->x + high_0;
   const double sum_1 = v->y + high_1;
   const double sum_2 = v->z + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double half_cotangent_a = KSL_MUL(0.5, theta),
+      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
-      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
-      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
-      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
-      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
-      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
-      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
-      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
-      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
-      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
-      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
+      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
+      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
+      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
+      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
+      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
+      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
+      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
+      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
+      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
+      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
+      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
       b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = v->x * b;
-  const double beta_v_1 = v->y * b;
-  const double beta_v_2 = v->z * b;
-  const double m_0 = v->x * beta_v_0;
-  const double m_1 = v->y * beta_v_1;
-  const double m_2 = v->z * beta_v_2;
-  const double m_3 = v->y * beta_v_0;
-  const double m_4 = v->z * beta_v_0;
-  const double m_5 = v->z * beta_v_1;
+  const double beta_v_0 = KSL_MUL(v->x, b);
+  const double beta_v_1 = KSL_MUL(v->y, b);
+  const double beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0);
+  const double m_1 = KSL_MUL(v->y, beta_v_1);
+  const double m_2 = KSL_MUL(v->z, beta_v_2);
+  const double m_3 = KSL_MUL(v->y, beta_v_0);
+  const double m_4 = KSL_MUL(v->z, beta_v_0);
+  const double m_5 = KSL_MUL(v->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11556,9 +12069,9 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = 0.5 * v->x;
-  const double alpha_v_1 = 0.5 * v->y;
-  const double alpha_v_2 = 0.5 * v->z;
+  const double alpha_v_0 = KSL_MUL(0.5, v->x);
+  const double alpha_v_1 = KSL_MUL(0.5, v->y);
+  const double alpha_v_2 = KSL_MUL(0.5, v->z);
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -11582,27 +12095,27 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
    Error <= R: 8 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
-  const double half = 0.5 * angle;
+  const double half = KSL_MUL(0.5, angle);
   const double h = sin(half);
   const double cosine = cos(angle);
-  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
-      versine = cosine < 0.0 ? versine_c : versine_b;
+  const double versine_a = KSL_MUL(h, h), versine_b = KSL_MUL(2.0, versine_a),
+      versine_c = 1.0 - cosine, versine = cosine < 0.0 ? versine_c : versine_b;
   const double sine = sin(angle);
-  const double beta_v_0 = axis->x * versine;
-  const double beta_v_1 = axis->y * versine;
-  const double beta_v_2 = axis->z * versine;
-  const double m_0 = axis->x * beta_v_0;
-  const double m_1 = axis->y * beta_v_1;
-  const double m_2 = axis->z * beta_v_2;
-  const double m_3 = axis->y * beta_v_0;
-  const double m_4 = axis->z * beta_v_0;
-  const double m_5 = axis->z * beta_v_1;
+  const double beta_v_0 = KSL_MUL(axis->x, versine);
+  const double beta_v_1 = KSL_MUL(axis->y, versine);
+  const double beta_v_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, beta_v_0);
+  const double m_1 = KSL_MUL(axis->y, beta_v_1);
+  const double m_2 = KSL_MUL(axis->z, beta_v_2);
+  const double m_3 = KSL_MUL(axis->y, beta_v_0);
+  const double m_4 = KSL_MUL(axis->z, beta_v_0);
+  const double m_5 = KSL_MUL(axis->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = axis->x * sine;
-  const double alpha_v_1 = axis->y * sine;
-  const double alpha_v_2 = axis->z * sine;
+  const double alpha_v_0 = KSL_MUL(axis->x, sine);
+  const double alpha_v_1 = KSL_MUL(axis->y, sine);
+  const double alpha_v_2 = KSL_MUL(axis->z, sine);
   const double R_00 = 1.0 - others_0;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
@@ -11665,20 +12178,20 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -11692,56 +12205,74 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
-  const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = self->m01 * self->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = self->m02 * self->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
-  const double defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
+  const double defect_0a = KSL_MUL(self->m00, self->m00), defect_0b = 1.0 - defect_0a,
+      defect_0c = KSL_MUL(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MUL(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
+  const double defect_1a = KSL_MUL(self->m01, self->m01), defect_1b = 1.0 - defect_1a,
+      defect_1c = KSL_MUL(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MUL(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
+  const double defect_2a = KSL_MUL(self->m02, self->m02), defect_2b = 1.0 - defect_2a,
+      defect_2c = KSL_MUL(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MUL(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
+  const double defect_3a = KSL_MUL(self->m00, self->m01), defect_3b = KSL_MUL(self->m10, self->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(self->m20, self->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
+  const double defect_4a = KSL_MUL(self->m00, self->m02), defect_4b = KSL_MUL(self->m10, self->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(self->m20, self->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
+  const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5b = KSL_MUL(self->m11, self->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(self->m21, self->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
-      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double self_00_new_a = KSL_MUL(self->m00, correction_0),
+      self_00_new_b = KSL_MUL(self->m01, correction_3),
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = KSL_MUL(self->m02, correction_4),
       self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const double self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
-      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+  const double self_01_new_a = KSL_MUL(self->m00, correction_3),
+      self_01_new_b = KSL_MUL(self->m01, correction_1),
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = KSL_MUL(self->m02, correction_5),
       self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const double self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
-      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+  const double self_02_new_a = KSL_MUL(self->m00, correction_4),
+      self_02_new_b = KSL_MUL(self->m01, correction_5),
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = KSL_MUL(self->m02, correction_2),
       self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const double self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
-      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+  const double self_10_new_a = KSL_MUL(self->m10, correction_0),
+      self_10_new_b = KSL_MUL(self->m11, correction_3),
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = KSL_MUL(self->m12, correction_4),
       self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const double self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
-      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+  const double self_11_new_a = KSL_MUL(self->m10, correction_3),
+      self_11_new_b = KSL_MUL(self->m11, correction_1),
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = KSL_MUL(self->m12, correction_5),
       self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const double self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
-      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+  const double self_12_new_a = KSL_MUL(self->m10, correction_4),
+      self_12_new_b = KSL_MUL(self->m11, correction_5),
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = KSL_MUL(self->m12, correction_2),
       self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const double self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
-      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+  const double self_20_new_a = KSL_MUL(self->m20, correction_0),
+      self_20_new_b = KSL_MUL(self->m21, correction_3),
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = KSL_MUL(self->m22, correction_4),
       self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const double self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
-      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+  const double self_21_new_a = KSL_MUL(self->m20, correction_3),
+      self_21_new_b = KSL_MUL(self->m21, correction_1),
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = KSL_MUL(self->m22, correction_5),
       self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const double self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
-      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+  const double self_22_new_a = KSL_MUL(self->m20, correction_4),
+      self_22_new_b = KSL_MUL(self->m21, correction_5),
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = KSL_MUL(self->m22, correction_2),
       self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
@@ -11760,56 +12291,56 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
-      defect_0 = defect_0d - defect_0e;
-  const double defect_1a = R->m01 * R->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
-      defect_1 = defect_1d - defect_1e;
-  const double defect_2a = R->m02 * R->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
-      defect_2 = defect_2d - defect_2e;
-  const double defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+  const double defect_0a = KSL_MUL(R->m00, R->m00), defect_0b = 1.0 - defect_0a,
+      defect_0c = KSL_MUL(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MUL(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
+  const double defect_1a = KSL_MUL(R->m01, R->m01), defect_1b = 1.0 - defect_1a,
+      defect_1c = KSL_MUL(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MUL(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
+  const double defect_2a = KSL_MUL(R->m02, R->m02), defect_2b = 1.0 - defect_2a,
+      defect_2c = KSL_MUL(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MUL(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3b = KSL_MUL(R->m10, R->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(R->m20, R->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4b = KSL_MUL(R->m10, R->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(R->m20, R->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5b = KSL_MUL(R->m11, R->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(R->m21, R->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double Ro_00a = KSL_MUL(R->m00, correction_0), Ro_00b = KSL_MUL(R->m01, correction_3),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
       Ro_00 = R->m00 + Ro_00e;
-  const double Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+  const double Ro_01a = KSL_MUL(R->m00, correction_3), Ro_01b = KSL_MUL(R->m01, correction_1),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
       Ro_01 = Ro_01e + R->m01;
-  const double Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+  const double Ro_02a = KSL_MUL(R->m00, correction_4), Ro_02b = KSL_MUL(R->m01, correction_5),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
       Ro_02 = Ro_02e + R->m02;
-  const double Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+  const double Ro_10a = KSL_MUL(R->m10, correction_0), Ro_10b = KSL_MUL(R->m11, correction_3),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
       Ro_10 = R->m10 + Ro_10e;
-  const double Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+  const double Ro_11a = KSL_MUL(R->m10, correction_3), Ro_11b = KSL_MUL(R->m11, correction_1),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
       Ro_11 = Ro_11e + R->m11;
-  const double Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+  const double Ro_12a = KSL_MUL(R->m10, correction_4), Ro_12b = KSL_MUL(R->m11, correction_5),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
       Ro_12 = Ro_12e + R->m12;
-  const double Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+  const double Ro_20a = KSL_MUL(R->m20, correction_0), Ro_20b = KSL_MUL(R->m21, correction_3),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
       Ro_20 = R->m20 + Ro_20e;
-  const double Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+  const double Ro_21a = KSL_MUL(R->m20, correction_3), Ro_21b = KSL_MUL(R->m21, correction_1),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
       Ro_21 = Ro_21e + R->m21;
-  const double Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+  const double Ro_22a = KSL_MUL(R->m20, correction_4), Ro_22b = KSL_MUL(R->m21, correction_5),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
       Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -11839,25 +12370,25 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double sum_0 = s->m3 + high_0;
   const double sum_1 = s->m4 + high_1;
   const double sum_2 = s->m5 + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -11865,54 +12396,55 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
-      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
-      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
-      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
-      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
-      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
-      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
-      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
-      g3 = x < 4.0 ? g3x : closed3;
-  const double g0a = x * g2, g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
-  const double u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
-  const double u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
-  const double u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
-  const double turned_0 = g2 * u_0;
-  const double turned_1 = g2 * u_1;
-  const double turned_2 = g2 * u_2;
-  const double wv_a = s->m0 * s->m3, wv_b = s->m1 * s->m4, wv_c = wv_a + wv_b, wv_d = s->m2 * s->m5,
-      wv = wv_c + wv_d;
-  const double pitch = g3 * wv;
-  const double along_0 = s->m3 * pitch;
-  const double along_1 = s->m4 * pitch;
-  const double along_2 = s->m5 * pitch;
-  const double beta_v_0 = s->m3 * g2;
-  const double beta_v_1 = s->m4 * g2;
-  const double beta_v_2 = s->m5 * g2;
-  const double m_0 = s->m3 * beta_v_0;
-  const double m_1 = s->m4 * beta_v_1;
-  const double m_2 = s->m5 * beta_v_2;
-  const double m_3 = s->m4 * beta_v_0;
-  const double m_4 = s->m5 * beta_v_0;
-  const double m_5 = s->m5 * beta_v_1;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
+      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
+      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
+      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
+      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
+      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
+      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
+      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
+      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
+  const double u_0a = KSL_MUL(s->m2, s->m4), u_0b = KSL_MUL(s->m1, s->m5), u_0 = u_0a - u_0b;
+  const double u_1a = KSL_MUL(s->m0, s->m5), u_1b = KSL_MUL(s->m2, s->m3), u_1 = u_1a - u_1b;
+  const double u_2a = KSL_MUL(s->m1, s->m3), u_2b = KSL_MUL(s->m0, s->m4), u_2 = u_2a - u_2b;
+  const double turned_0 = KSL_MUL(g2, u_0);
+  const double turned_1 = KSL_MUL(g2, u_1);
+  const double turned_2 = KSL_MUL(g2, u_2);
+  const double wv_a = KSL_MUL(s->m0, s->m3), wv_b = KSL_MUL(s->m1, s->m4), wv_c = wv_a + wv_b,
+      wv_d = KSL_MUL(s->m2, s->m5), wv = wv_c + wv_d;
+  const double pitch = KSL_MUL(g3, wv);
+  const double along_0 = KSL_MUL(s->m3, pitch);
+  const double along_1 = KSL_MUL(s->m4, pitch);
+  const double along_2 = KSL_MUL(s->m5, pitch);
+  const double beta_v_0 = KSL_MUL(s->m3, g2);
+  const double beta_v_1 = KSL_MUL(s->m4, g2);
+  const double beta_v_2 = KSL_MUL(s->m5, g2);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0);
+  const double m_1 = KSL_MUL(s->m4, beta_v_1);
+  const double m_2 = KSL_MUL(s->m5, beta_v_2);
+  const double m_3 = KSL_MUL(s->m4, beta_v_0);
+  const double m_4 = KSL_MUL(s->m5, beta_v_0);
+  const double m_5 = KSL_MUL(s->m5, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -11922,21 +12454,21 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = s->m3 * g1;
-  const double alpha_v_1 = s->m4 * g1;
-  const double alpha_v_2 = s->m5 * g1;
+  const double alpha_v_0 = KSL_MUL(s->m3, g1);
+  const double alpha_v_1 = KSL_MUL(s->m4, g1);
+  const double alpha_v_2 = KSL_MUL(s->m5, g1);
   const double across_axis_0 = turned_0 + along_0;
   const double across_axis_1 = turned_1 + along_1;
   const double across_axis_2 = turned_2 + along_2;
   const double D_01 = m_3 - alpha_v_2;
   const double D_02 = m_4 + alpha_v_1;
-  const double D_03a = s->m0 * g1, D_03 = D_03a + across_axis_0;
+  const double D_03a = KSL_MUL(s->m0, g1), D_03 = D_03a + across_axis_0;
   const double D_10 = m_3 + alpha_v_2;
   const double D_12 = m_5 - alpha_v_0;
-  const double D_13a = s->m1 * g1, D_13 = D_13a + across_axis_1;
+  const double D_13a = KSL_MUL(s->m1, g1), D_13 = D_13a + across_axis_1;
   const double D_20 = m_4 - alpha_v_1;
   const double D_21 = m_5 + alpha_v_0;
-  const double D_23a = s->m2 * g1, D_23 = D_23a + across_axis_2;
+  const double D_23a = KSL_MUL(s->m2, g1), D_23 = D_23a + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -11993,59 +12525,64 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double theta = 2.0 * half;
+  const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = upper_0 * k;
-  const double vector_1 = upper_1 * k;
-  const double vector_2 = upper_2 * k;
-  const double x = theta * theta;
+  const double vector_0 = KSL_MUL(upper_0, k);
+  const double vector_1 = KSL_MUL(upper_1, k);
+  const double vector_2 = KSL_MUL(upper_2, k);
+  const double x = KSL_MUL(theta, theta);
   const double far_sine = x < 1.0 ? 1.0 : n;
   const double cotangent = upper_3 / far_sine;
-  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double half_cotangent_a = KSL_MUL(0.5, theta),
+      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
-      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
-      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
-      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
-      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
-      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
-      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
-      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
-      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
-      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
-      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
+      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
+      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
+      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
+      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
+      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
+      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
+      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
+      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
+      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
+      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
+      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
       b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double wt_a = D->m03 * vector_0, wt_b = D->m13 * vector_1, wt_c = wt_a + wt_b,
-      wt_d = D->m23 * vector_2, wt = wt_c + wt_d;
-  const double pitch = b * wt;
-  const double along_0 = vector_0 * pitch;
-  const double along_1 = vector_1 * pitch;
-  const double along_2 = vector_2 * pitch;
-  const double u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
-  const double u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
-  const double u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
-  const double turned_0 = 0.5 * u_0;
-  const double turned_1 = 0.5 * u_1;
-  const double turned_2 = 0.5 * u_2;
+  const double wt_a = KSL_MUL(D->m03, vector_0), wt_b = KSL_MUL(D->m13, vector_1),
+      wt_c = wt_a + wt_b, wt_d = KSL_MUL(D->m23, vector_2), wt = wt_c + wt_d;
+  const double pitch = KSL_MUL(b, wt);
+  const double along_0 = KSL_MUL(vector_0, pitch);
+  const double along_1 = KSL_MUL(vector_1, pitch);
+  const double along_2 = KSL_MUL(vector_2, pitch);
+  const double u_0a = KSL_MUL(D->m23, vector_1), u_0b = KSL_MUL(D->m13, vector_2),
+      u_0 = u_0a - u_0b;
+  const double u_1a = KSL_MUL(D->m03, vector_2), u_1b = KSL_MUL(D->m23, vector_0),
+      u_1 = u_1a - u_1b;
+  const double u_2a = KSL_MUL(D->m13, vector_0), u_2b = KSL_MUL(D->m03, vector_1),
+      u_2 = u_2a - u_2b;
+  const double turned_0 = KSL_MUL(0.5, u_0);
+  const double turned_1 = KSL_MUL(0.5, u_1);
+  const double turned_2 = KSL_MUL(0.5, u_2);
   const double across_axis_0 = along_0 - turned_0;
   const double across_axis_1 = along_1 - turned_1;
   const double across_axis_2 = along_2 - turned_2;
-  const double so_0a = D->m03 * b_across, so_0 = so_0a + across_axis_0;
-  const double so_1a = D->m13 * b_across, so_1 = so_1a + across_axis_1;
-  const double so_2a = D->m23 * b_across, so_2 = so_2a + across_axis_2;
+  const double so_0a = KSL_MUL(D->m03, b_across), so_0 = so_0a + across_axis_0;
+  const double so_1a = KSL_MUL(D->m13, b_across), so_1 = so_1a + across_axis_1;
+  const double so_2a = KSL_MUL(D->m23, b_across), so_2 = so_2a + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -12071,25 +12608,25 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double sum_0 = s->m3 + high_0;
   const double sum_1 = s->m4 + high_1;
   const double sum_2 = s->m5 + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -12097,70 +12634,73 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
-      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
-      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
-      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
-      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
-      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
-      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
-      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
-      g3 = x < 4.0 ? g3x : closed3;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
+      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
+      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
+      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
+      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
+      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
+      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
+      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
+      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
   const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = 2.0 * g2, rate2_rest = g1 - rate2_rest_a;
+  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
   const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = 3.0 * g3, rate3_rest = g2 - rate3_rest_a;
+  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
   const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = 8.527712016381578e-29 * x, rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = x * rate2b, rate2d = rate2c - 3.54582265641146e-23, rate2e = x * rate2d,
-      rate2f = rate2e + 1.7793582784901146e-20, rate2g = x * rate2f,
-      rate2h = rate2g - 7.398571721961897e-18, rate2i = x * rate2h,
-      rate2j = rate2i + 2.499073114973796e-15, rate2k = x * rate2j,
-      rate2l = rate2k - 6.691268265342339e-13, rate2m = x * rate2l,
-      rate2n = rate2m + 1.376489471727567e-10, rate2o = x * rate2n,
-      rate2p = rate2o - 2.08767569878681e-08, rate2q = x * rate2p,
-      rate2r = rate2q + 2.204585537918871e-06, rate2s = x * rate2r,
-      rate2t = rate2s - 0.00014880952380952382, rate2u = x * rate2t,
-      rate2v = rate2u + 0.005555555555555556, rate2w = x * rate2v,
-      rate2x = rate2w - 0.08333333333333333, rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = 2.9405903504764064e-30 * x, rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = x * rate3b, rate3d = rate3c - 1.4183290625645841e-24, rate3e = x * rate3d,
-      rate3f = rate3e + 7.736340341261368e-22, rate3g = x * rate3f,
-      rate3h = rate3g - 3.523129391410427e-19, rate3i = x * rate3h,
-      rate3j = rate3i + 1.3153016394598927e-16, rate3k = x * rate3j,
-      rate3l = rate3k - 3.936040156083729e-14, rate3m = x * rate3l,
-      rate3n = rate3m + 9.17659647818378e-12, rate3o = x * rate3n,
-      rate3p = rate3o - 1.6059043836821615e-09, rate3q = x * rate3p,
-      rate3r = rate3q + 2.0041686708353376e-07, rate3s = x * rate3r,
-      rate3t = rate3s - 1.6534391534391536e-05, rate3u = x * rate3t,
-      rate3v = rate3u + 0.0007936507936507937, rate3w = x * rate3v,
-      rate3x = rate3w - 0.016666666666666666, rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = s->m3 * g3;
-  const double beta_v_1 = s->m4 * g3;
-  const double beta_v_2 = s->m5 * g3;
-  const double m_0 = s->m3 * beta_v_0;
-  const double m_1 = s->m4 * beta_v_1;
-  const double m_2 = s->m5 * beta_v_2;
-  const double m_3 = s->m4 * beta_v_0;
-  const double m_4 = s->m5 * beta_v_0;
-  const double m_5 = s->m5 * beta_v_1;
+  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
+      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
+      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
+      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
+      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
+      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
+      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
+      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
+      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
+      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
+      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
+      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
+      rate2 = x < 9.0 ? rate2x : closed_rate2;
+  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
+      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
+      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
+      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
+      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
+      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
+      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
+      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
+      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
+      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
+      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
+      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
+      rate3 = x < 9.0 ? rate3x : closed_rate3;
+  const double beta_v_0 = KSL_MUL(s->m3, g3);
+  const double beta_v_1 = KSL_MUL(s->m4, g3);
+  const double beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0);
+  const double m_1 = KSL_MUL(s->m4, beta_v_1);
+  const double m_2 = KSL_MUL(s->m5, beta_v_2);
+  const double m_3 = KSL_MUL(s->m4, beta_v_0);
+  const double m_4 = KSL_MUL(s->m5, beta_v_0);
+  const double m_5 = KSL_MUL(s->m5, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -12170,52 +12710,60 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = s->m3 * g2;
-  const double alpha_v_1 = s->m4 * g2;
-  const double alpha_v_2 = s->m5 * g2;
+  const double alpha_v_0 = KSL_MUL(s->m3, g2);
+  const double alpha_v_1 = KSL_MUL(s->m4, g2);
+  const double alpha_v_2 = KSL_MUL(s->m5, g2);
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
   const double J_5 = m_5 - alpha_v_0;
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
-  const double rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_turn = rate2 * rate_vw;
-  const double rate_bend_a = rate3 * rate_vw, rate_bend = -rate_bend_a;
-  const double rate_q_0a = s->m0 * g2, rate_q_0b = s->m3 * rate_turn,
+  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const double rate_turn = KSL_MUL(rate2, rate_vw);
+  const double rate_bend_a = KSL_MUL(rate3, rate_vw), rate_bend = -rate_bend_a;
+  const double rate_q_0a = KSL_MUL(s->m0, g2), rate_q_0b = KSL_MUL(s->m3, rate_turn),
       rate_q_0 = rate_q_0a + rate_q_0b;
-  const double rate_q_1a = s->m1 * g2, rate_q_1b = s->m4 * rate_turn,
+  const double rate_q_1a = KSL_MUL(s->m1, g2), rate_q_1b = KSL_MUL(s->m4, rate_turn),
       rate_q_1 = rate_q_1a + rate_q_1b;
-  const double rate_q_2a = s->m2 * g2, rate_q_2b = s->m5 * rate_turn,
+  const double rate_q_2a = KSL_MUL(s->m2, g2), rate_q_2b = KSL_MUL(s->m5, rate_turn),
       rate_q_2 = rate_q_2a + rate_q_2b;
-  const double rate_beta_v_0 = s->m0 * g3;
-  const double rate_beta_v_1 = s->m1 * g3;
-  const double rate_beta_v_2 = s->m2 * g3;
-  const double rate_bend_w_0 = s->m3 * rate_bend;
-  const double rate_bend_w_1 = s->m4 * rate_bend;
-  const double rate_bend_w_2 = s->m5 * rate_bend;
-  const double rate_symmetric_0a = s->m3 * rate_beta_v_1, rate_symmetric_0b = s->m4 * rate_beta_v_0,
+  const double rate_beta_v_0 = KSL_MUL(s->m0, g3);
+  const double rate_beta_v_1 = KSL_MUL(s->m1, g3);
+  const double rate_beta_v_2 = KSL_MUL(s->m2, g3);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
+  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
+  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
+      rate_symmetric_0b = KSL_MUL(s->m4, rate_beta_v_0),
       rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = s->m4 * rate_bend_w_0,
+      rate_symmetric_0d = KSL_MUL(s->m4, rate_bend_w_0),
       rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const double rate_symmetric_1a = s->m3 * rate_beta_v_2, rate_symmetric_1b = s->m5 * rate_beta_v_0,
+  const double rate_symmetric_1a = KSL_MUL(s->m3, rate_beta_v_2),
+      rate_symmetric_1b = KSL_MUL(s->m5, rate_beta_v_0),
       rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = s->m5 * rate_bend_w_0,
+      rate_symmetric_1d = KSL_MUL(s->m5, rate_bend_w_0),
       rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const double rate_symmetric_2a = s->m4 * rate_beta_v_2, rate_symmetric_2b = s->m5 * rate_beta_v_1,
+  const double rate_symmetric_2a = KSL_MUL(s->m4, rate_beta_v_2),
+      rate_symmetric_2b = KSL_MUL(s->m5, rate_beta_v_1),
       rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = s->m5 * rate_bend_w_1,
+      rate_symmetric_2d = KSL_MUL(s->m5, rate_bend_w_1),
       rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
-  const double rate_diagonal_0a = s->m4 * rate_bend_w_1, rate_diagonal_0b = s->m5 * rate_bend_w_2,
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b, rate_diagonal_0d = 2.0 * s->m4,
-      rate_diagonal_0e = rate_diagonal_0d * rate_beta_v_1, rate_diagonal_0f = 2.0 * s->m5,
-      rate_diagonal_0g = rate_diagonal_0f * rate_beta_v_2,
+  const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
+      rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
+      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
+      rate_diagonal_0d = KSL_MUL(2.0, s->m4),
+      rate_diagonal_0e = KSL_MUL(rate_diagonal_0d, rate_beta_v_1),
+      rate_diagonal_0f = KSL_MUL(2.0, s->m5),
+      rate_diagonal_0g = KSL_MUL(rate_diagonal_0f, rate_beta_v_2),
       rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
-  const double rate_diagonal_1a = s->m3 * rate_bend_w_0,
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b, rate_diagonal_1c = 2.0 * s->m3,
-      rate_diagonal_1d = rate_diagonal_1c * rate_beta_v_0,
+  const double rate_diagonal_1a = KSL_MUL(s->m3, rate_bend_w_0),
+      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
+      rate_diagonal_1c = KSL_MUL(2.0, s->m3),
+      rate_diagonal_1d = KSL_MUL(rate_diagonal_1c, rate_beta_v_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
   const double rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
@@ -12282,25 +12830,25 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double sum_0 = s->m3 + high_0;
   const double sum_1 = s->m4 + high_1;
   const double sum_2 = s->m5 + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -12308,70 +12856,73 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = 6.446950284384474e-26 * x, g1b = g1a - 3.868170170630684e-23, g1c = x * g1b,
-      g1d = g1c + 1.9572941063391263e-20, g1e = x * g1d, g1f = g1e - 8.22063524662433e-18,
-      g1g = x * g1f, g1h = g1g + 2.8114572543455206e-15, g1i = x * g1h,
-      g1j = g1i - 7.647163731819816e-13, g1k = x * g1j, g1l = g1k + 1.6059043836821613e-10,
-      g1m = x * g1l, g1n = g1m - 2.505210838544172e-08, g1o = x * g1n,
-      g1p = g1o + 2.7557319223985893e-06, g1q = x * g1p, g1r = g1q - 0.0001984126984126984,
-      g1s = x * g1r, g1t = g1s + 0.008333333333333333, g1u = x * g1t,
-      g1v = g1u - 0.16666666666666666, g1w = x * g1v, g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = 2.4795962632247976e-27 * x, g2b = g2a - 1.6117375710961184e-24, g2c = x * g2b,
-      g2d = g2c + 8.896791392450574e-22, g2e = x * g2d, g2f = g2e - 4.110317623312165e-19,
-      g2g = x * g2f, g2h = g2g + 1.5619206968586225e-16, g2i = x * g2h,
-      g2j = g2i - 4.779477332387385e-14, g2k = x * g2j, g2l = g2k + 1.1470745597729725e-11,
-      g2m = x * g2l, g2n = g2m - 2.08767569878681e-09, g2o = x * g2n,
-      g2p = g2o + 2.755731922398589e-07, g2q = x * g2p, g2r = g2q - 2.48015873015873e-05,
-      g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
-      g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2x = g2w + 0.5,
-      g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = 9.183689863795546e-29 * x, g3b = g3a - 6.446950284384474e-26, g3c = x * g3b,
-      g3d = g3c + 3.868170170630684e-23, g3e = x * g3d, g3f = g3e - 1.9572941063391263e-20,
-      g3g = x * g3f, g3h = g3g + 8.22063524662433e-18, g3i = x * g3h,
-      g3j = g3i - 2.8114572543455206e-15, g3k = x * g3j, g3l = g3k + 7.647163731819816e-13,
-      g3m = x * g3l, g3n = g3m - 1.6059043836821613e-10, g3o = x * g3n,
-      g3p = g3o + 2.505210838544172e-08, g3q = x * g3p, g3r = g3q - 2.7557319223985893e-06,
-      g3s = x * g3r, g3t = g3s + 0.0001984126984126984, g3u = x * g3t,
-      g3v = g3u - 0.008333333333333333, g3w = x * g3v, g3x = g3w + 0.16666666666666666,
-      g3 = x < 4.0 ? g3x : closed3;
+  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
+      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
+      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
+      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
+      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
+      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
+      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
+      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
+      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
+      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
+      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
+      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
+      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
+      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
+      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
+      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
+      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
   const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = 2.0 * g2, rate2_rest = g1 - rate2_rest_a;
+  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
   const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = 3.0 * g3, rate3_rest = g2 - rate3_rest_a;
+  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
   const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = 8.527712016381578e-29 * x, rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = x * rate2b, rate2d = rate2c - 3.54582265641146e-23, rate2e = x * rate2d,
-      rate2f = rate2e + 1.7793582784901146e-20, rate2g = x * rate2f,
-      rate2h = rate2g - 7.398571721961897e-18, rate2i = x * rate2h,
-      rate2j = rate2i + 2.499073114973796e-15, rate2k = x * rate2j,
-      rate2l = rate2k - 6.691268265342339e-13, rate2m = x * rate2l,
-      rate2n = rate2m + 1.376489471727567e-10, rate2o = x * rate2n,
-      rate2p = rate2o - 2.08767569878681e-08, rate2q = x * rate2p,
-      rate2r = rate2q + 2.204585537918871e-06, rate2s = x * rate2r,
-      rate2t = rate2s - 0.00014880952380952382, rate2u = x * rate2t,
-      rate2v = rate2u + 0.005555555555555556, rate2w = x * rate2v,
-      rate2x = rate2w - 0.08333333333333333, rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = 2.9405903504764064e-30 * x, rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = x * rate3b, rate3d = rate3c - 1.4183290625645841e-24, rate3e = x * rate3d,
-      rate3f = rate3e + 7.736340341261368e-22, rate3g = x * rate3f,
-      rate3h = rate3g - 3.523129391410427e-19, rate3i = x * rate3h,
-      rate3j = rate3i + 1.3153016394598927e-16, rate3k = x * rate3j,
-      rate3l = rate3k - 3.936040156083729e-14, rate3m = x * rate3l,
-      rate3n = rate3m + 9.17659647818378e-12, rate3o = x * rate3n,
-      rate3p = rate3o - 1.6059043836821615e-09, rate3q = x * rate3p,
-      rate3r = rate3q + 2.0041686708353376e-07, rate3s = x * rate3r,
-      rate3t = rate3s - 1.6534391534391536e-05, rate3u = x * rate3t,
-      rate3v = rate3u + 0.0007936507936507937, rate3w = x * rate3v,
-      rate3x = rate3w - 0.016666666666666666, rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = s->m3 * g3;
-  const double beta_v_1 = s->m4 * g3;
-  const double beta_v_2 = s->m5 * g3;
-  const double m_0 = s->m3 * beta_v_0;
-  const double m_1 = s->m4 * beta_v_1;
-  const double m_2 = s->m5 * beta_v_2;
-  const double m_3 = s->m4 * beta_v_0;
-  const double m_4 = s->m5 * beta_v_0;
-  const double m_5 = s->m5 * beta_v_1;
+  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
+      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
+      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
+      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
+      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
+      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
+      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
+      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
+      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
+      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
+      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
+      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
+      rate2 = x < 9.0 ? rate2x : closed_rate2;
+  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
+      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
+      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
+      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
+      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
+      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
+      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
+      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
+      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
+      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
+      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
+      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
+      rate3 = x < 9.0 ? rate3x : closed_rate3;
+  const double beta_v_0 = KSL_MUL(s->m3, g3);
+  const double beta_v_1 = KSL_MUL(s->m4, g3);
+  const double beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0);
+  const double m_1 = KSL_MUL(s->m4, beta_v_1);
+  const double m_2 = KSL_MUL(s->m5, beta_v_2);
+  const double m_3 = KSL_MUL(s->m4, beta_v_0);
+  const double m_4 = KSL_MUL(s->m5, beta_v_0);
+  const double m_5 = KSL_MUL(s->m5, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -12381,52 +12932,60 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = s->m3 * g2, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = s->m4 * g2, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = s->m5 * g2, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0a = KSL_MUL(s->m3, g2), alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = KSL_MUL(s->m4, g2), alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = KSL_MUL(s->m5, g2), alpha_v_2 = -alpha_v_2a;
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
   const double J_5 = m_5 - alpha_v_0;
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
-  const double rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_turn = rate2 * rate_vw;
-  const double rate_bend_a = rate3 * rate_vw, rate_bend = -rate_bend_a;
-  const double rate_q_0a = s->m0 * g2, rate_q_0b = s->m3 * rate_turn,
+  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const double rate_turn = KSL_MUL(rate2, rate_vw);
+  const double rate_bend_a = KSL_MUL(rate3, rate_vw), rate_bend = -rate_bend_a;
+  const double rate_q_0a = KSL_MUL(s->m0, g2), rate_q_0b = KSL_MUL(s->m3, rate_turn),
       rate_q_0c = rate_q_0a + rate_q_0b, rate_q_0 = -rate_q_0c;
-  const double rate_q_1a = s->m1 * g2, rate_q_1b = s->m4 * rate_turn,
+  const double rate_q_1a = KSL_MUL(s->m1, g2), rate_q_1b = KSL_MUL(s->m4, rate_turn),
       rate_q_1c = rate_q_1a + rate_q_1b, rate_q_1 = -rate_q_1c;
-  const double rate_q_2a = s->m2 * g2, rate_q_2b = s->m5 * rate_turn,
+  const double rate_q_2a = KSL_MUL(s->m2, g2), rate_q_2b = KSL_MUL(s->m5, rate_turn),
       rate_q_2c = rate_q_2a + rate_q_2b, rate_q_2 = -rate_q_2c;
-  const double rate_beta_v_0a = s->m0 * g3, rate_beta_v_0 = -rate_beta_v_0a;
-  const double rate_beta_v_1a = s->m1 * g3, rate_beta_v_1 = -rate_beta_v_1a;
-  const double rate_beta_v_2a = s->m2 * g3, rate_beta_v_2 = -rate_beta_v_2a;
-  const double rate_bend_w_0a = s->m3 * rate_bend, rate_bend_w_0 = -rate_bend_w_0a;
-  const double rate_bend_w_1a = s->m4 * rate_bend, rate_bend_w_1 = -rate_bend_w_1a;
-  const double rate_bend_w_2a = s->m5 * rate_bend, rate_bend_w_2 = -rate_bend_w_2a;
-  const double rate_symmetric_0a = s->m4 * rate_bend_w_0, rate_symmetric_0b = s->m3 * rate_beta_v_1,
-      rate_symmetric_0c = s->m4 * rate_beta_v_0,
+  const double rate_beta_v_0a = KSL_MUL(s->m0, g3), rate_beta_v_0 = -rate_beta_v_0a;
+  const double rate_beta_v_1a = KSL_MUL(s->m1, g3), rate_beta_v_1 = -rate_beta_v_1a;
+  const double rate_beta_v_2a = KSL_MUL(s->m2, g3), rate_beta_v_2 = -rate_beta_v_2a;
+  const double rate_bend_w_0a = KSL_MUL(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
+  const double rate_bend_w_1a = KSL_MUL(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
+  const double rate_bend_w_2a = KSL_MUL(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
+  const double rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_0b = KSL_MUL(s->m3, rate_beta_v_1),
+      rate_symmetric_0c = KSL_MUL(s->m4, rate_beta_v_0),
       rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
       rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const double rate_symmetric_1a = s->m5 * rate_bend_w_0, rate_symmetric_1b = s->m3 * rate_beta_v_2,
-      rate_symmetric_1c = s->m5 * rate_beta_v_0,
+  const double rate_symmetric_1a = KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_1b = KSL_MUL(s->m3, rate_beta_v_2),
+      rate_symmetric_1c = KSL_MUL(s->m5, rate_beta_v_0),
       rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
       rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const double rate_symmetric_2a = s->m5 * rate_bend_w_1, rate_symmetric_2b = s->m4 * rate_beta_v_2,
-      rate_symmetric_2c = s->m5 * rate_beta_v_1,
+  const double rate_symmetric_2a = KSL_MUL(s->m5, rate_bend_w_1),
+      rate_symmetric_2b = KSL_MUL(s->m4, rate_beta_v_2),
+      rate_symmetric_2c = KSL_MUL(s->m5, rate_beta_v_1),
       rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
       rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const double rate_diagonal_0a = 2.0 * s->m4, rate_diagonal_0b = rate_diagonal_0a * rate_beta_v_1,
-      rate_diagonal_0c = 2.0 * s->m5, rate_diagonal_0d = rate_diagonal_0c * rate_beta_v_2,
+  const double rate_diagonal_0a = KSL_MUL(2.0, s->m4),
+      rate_diagonal_0b = KSL_MUL(rate_diagonal_0a, rate_beta_v_1),
+      rate_diagonal_0c = KSL_MUL(2.0, s->m5),
+      rate_diagonal_0d = KSL_MUL(rate_diagonal_0c, rate_beta_v_2),
       rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
-      rate_diagonal_0f = s->m4 * rate_bend_w_1, rate_diagonal_0g = s->m5 * rate_bend_w_2,
+      rate_diagonal_0f = KSL_MUL(s->m4, rate_bend_w_1),
+      rate_diagonal_0g = KSL_MUL(s->m5, rate_bend_w_2),
       rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const double rate_diagonal_1a = 2.0 * s->m3, rate_diagonal_1b = rate_diagonal_1a * rate_beta_v_0,
+  const double rate_diagonal_1a = KSL_MUL(2.0, s->m3),
+      rate_diagonal_1b = KSL_MUL(rate_diagonal_1a, rate_beta_v_0),
       rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
-      rate_diagonal_1d = s->m3 * rate_bend_w_0,
+      rate_diagonal_1d = KSL_MUL(s->m3, rate_bend_w_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
   const double rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
@@ -12493,54 +13052,56 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double sum_0 = s->m3 + high_0;
   const double sum_1 = s->m4 + high_1;
   const double sum_2 = s->m5 + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double half_cotangent_a = KSL_MUL(0.5, theta),
+      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
-      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
-      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
-      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
-      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
-      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
-      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
-      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
-      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
-      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
-      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
+      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
+      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
+      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
+      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
+      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
+      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
+      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
+      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
+      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
+      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
+      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
       b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = s->m3 * b;
-  const double beta_v_1 = s->m4 * b;
-  const double beta_v_2 = s->m5 * b;
-  const double m_0 = s->m3 * beta_v_0;
-  const double m_1 = s->m4 * beta_v_1;
-  const double m_2 = s->m5 * beta_v_2;
-  const double m_3 = s->m4 * beta_v_0;
-  const double m_4 = s->m5 * beta_v_0;
-  const double m_5 = s->m5 * beta_v_1;
+  const double beta_v_0 = KSL_MUL(s->m3, b);
+  const double beta_v_1 = KSL_MUL(s->m4, b);
+  const double beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0);
+  const double m_1 = KSL_MUL(s->m4, beta_v_1);
+  const double m_2 = KSL_MUL(s->m5, beta_v_2);
+  const double m_3 = KSL_MUL(s->m4, beta_v_0);
+  const double m_4 = KSL_MUL(s->m5, beta_v_0);
+  const double m_5 = KSL_MUL(s->m5, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -12550,9 +13111,9 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = 0.5 * s->m3, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = 0.5 * s->m4, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = 0.5 * s->m5, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0a = KSL_MUL(0.5, s->m3), alpha_v_0 = -alpha_v_0a;
+  const double alpha_v_1a = KSL_MUL(0.5, s->m4), alpha_v_1 = -alpha_v_1a;
+  const double alpha_v_2a = KSL_MUL(0.5, s->m5), alpha_v_2 = -alpha_v_2a;
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
@@ -12560,60 +13121,69 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
   const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = cotangent * cotangent, b_rate_square_b = 0.25 * b_rate_square_a,
-      b_rate_square = 0.25 + b_rate_square_b;
+  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
+      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
   const double b_rate_rest = b_rate_square - b_rate_across;
   const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = 3.3612243325542163e-29 * x, b_rate_b = b_rate_a + 1.2532382798262054e-27,
-      b_rate_c = x * b_rate_b, b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = x * b_rate_d,
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = x * b_rate_f,
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = x * b_rate_h,
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = x * b_rate_j,
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = x * b_rate_l,
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = x * b_rate_n,
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = x * b_rate_p,
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = x * b_rate_r,
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = x * b_rate_t,
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = x * b_rate_v,
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = x * b_rate_x,
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = x * b_rate_z,
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = x * b_rate_ab,
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = x * b_rate_ad,
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = x * b_rate_af,
+  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
+      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
+      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
+      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
+      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
+      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
+      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
+      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
+      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
+      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
+      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
+      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
+      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
+      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
+      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
+      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
+      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
       b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
-  const double rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_bend_a = b_rate * rate_vw, rate_bend = -rate_bend_a;
-  const double rate_q_0a = 0.5 * s->m0, rate_q_0 = -rate_q_0a;
-  const double rate_q_1a = 0.5 * s->m1, rate_q_1 = -rate_q_1a;
-  const double rate_q_2a = 0.5 * s->m2, rate_q_2 = -rate_q_2a;
-  const double rate_beta_v_0 = s->m0 * b;
-  const double rate_beta_v_1 = s->m1 * b;
-  const double rate_beta_v_2 = s->m2 * b;
-  const double rate_bend_w_0 = s->m3 * rate_bend;
-  const double rate_bend_w_1 = s->m4 * rate_bend;
-  const double rate_bend_w_2 = s->m5 * rate_bend;
-  const double rate_symmetric_0a = s->m3 * rate_beta_v_1, rate_symmetric_0b = s->m4 * rate_beta_v_0,
+  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const double rate_bend_a = KSL_MUL(b_rate, rate_vw), rate_bend = -rate_bend_a;
+  const double rate_q_0a = KSL_MUL(0.5, s->m0), rate_q_0 = -rate_q_0a;
+  const double rate_q_1a = KSL_MUL(0.5, s->m1), rate_q_1 = -rate_q_1a;
+  const double rate_q_2a = KSL_MUL(0.5, s->m2), rate_q_2 = -rate_q_2a;
+  const double rate_beta_v_0 = KSL_MUL(s->m0, b);
+  const double rate_beta_v_1 = KSL_MUL(s->m1, b);
+  const double rate_beta_v_2 = KSL_MUL(s->m2, b);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
+  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
+  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
+      rate_symmetric_0b = KSL_MUL(s->m4, rate_beta_v_0),
       rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = s->m4 * rate_bend_w_0,
+      rate_symmetric_0d = KSL_MUL(s->m4, rate_bend_w_0),
       rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const double rate_symmetric_1a = s->m3 * rate_beta_v_2, rate_symmetric_1b = s->m5 * rate_beta_v_0,
+  const double rate_symmetric_1a = KSL_MUL(s->m3, rate_beta_v_2),
+      rate_symmetric_1b = KSL_MUL(s->m5, rate_beta_v_0),
       rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = s->m5 * rate_bend_w_0,
+      rate_symmetric_1d = KSL_MUL(s->m5, rate_bend_w_0),
       rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const double rate_symmetric_2a = s->m4 * rate_beta_v_2, rate_symmetric_2b = s->m5 * rate_beta_v_1,
+  const double rate_symmetric_2a = KSL_MUL(s->m4, rate_beta_v_2),
+      rate_symmetric_2b = KSL_MUL(s->m5, rate_beta_v_1),
       rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = s->m5 * rate_bend_w_1,
+      rate_symmetric_2d = KSL_MUL(s->m5, rate_bend_w_1),
       rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
-  const double rate_diagonal_0a = s->m4 * rate_bend_w_1, rate_diagonal_0b = s->m5 * rate_bend_w_2,
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b, rate_diagonal_0d = 2.0 * s->m4,
-      rate_diagonal_0e = rate_diagonal_0d * rate_beta_v_1, rate_diagonal_0f = 2.0 * s->m5,
-      rate_diagonal_0g = rate_diagonal_0f * rate_beta_v_2,
+  const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
+      rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
+      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
+      rate_diagonal_0d = KSL_MUL(2.0, s->m4),
+      rate_diagonal_0e = KSL_MUL(rate_diagonal_0d, rate_beta_v_1),
+      rate_diagonal_0f = KSL_MUL(2.0, s->m5),
+      rate_diagonal_0g = KSL_MUL(rate_diagonal_0f, rate_beta_v_2),
       rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
-  const double rate_diagonal_1a = s->m3 * rate_bend_w_0,
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b, rate_diagonal_1c = 2.0 * s->m3,
-      rate_diagonal_1d = rate_diagonal_1c * rate_beta_v_0,
+  const double rate_diagonal_1a = KSL_MUL(s->m3, rate_bend_w_0),
+      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
+      rate_diagonal_1c = KSL_MUL(2.0, s->m3),
+      rate_diagonal_1d = KSL_MUL(rate_diagonal_1c, rate_beta_v_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
   const double rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
@@ -12680,54 +13250,56 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double sum_0 = s->m3 + high_0;
   const double sum_1 = s->m4 + high_1;
   const double sum_2 = s->m5 + high_2;
-  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
       squares = squares_c + squares_d;
-  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = theta + 1610612736.0;
   const double theta_high = theta_shifted - 1610612736.0;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double delta_a = KSL_MUL(0.5, residual), delta = delta_a / theta;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = 0.5 * theta, half_cotangent = half_cotangent_a * cotangent;
+  const double half_cotangent_a = KSL_MUL(0.5, theta),
+      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = 1.455172475614865e-27 * x, b_b = b_a + 5.744790668872202e-26, b_c = x * b_b,
-      b_d = b_c + 2.267952452337683e-24, b_e = x * b_d, b_f = b_e + 8.953517427037546e-23,
-      b_g = x * b_f, b_h = b_g + 3.534707039629467e-21, b_i = x * b_h,
-      b_j = b_i + 1.3954464685812522e-19, b_k = x * b_j, b_l = b_k + 5.5090028283602295e-18,
-      b_m = x * b_l, b_n = b_m + 2.174868698558062e-16, b_o = x * b_n,
-      b_p = b_o + 8.586062056277845e-15, b_q = x * b_p, b_r = b_q + 3.3896802963225827e-13,
-      b_s = x * b_r, b_t = b_s + 1.3382536530684679e-11, b_u = x * b_t,
-      b_v = b_u + 5.284190138687493e-10, b_w = x * b_v, b_x = b_w + 2.08767569878681e-08,
-      b_y = x * b_x, b_z = b_y + 8.267195767195768e-07, b_aa = x * b_z,
-      b_ab = b_aa + 3.306878306878307e-05, b_ac = x * b_ab, b_ad = b_ac + 0.001388888888888889,
-      b_ae = x * b_ad, b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = x * b, b_across_b = 1.0 - b_across_a,
+  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
+      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
+      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
+      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
+      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
+      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
+      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
+      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
+      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
+      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
+      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
+      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
+  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
       b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = s->m3 * b;
-  const double beta_v_1 = s->m4 * b;
-  const double beta_v_2 = s->m5 * b;
-  const double m_0 = s->m3 * beta_v_0;
-  const double m_1 = s->m4 * beta_v_1;
-  const double m_2 = s->m5 * beta_v_2;
-  const double m_3 = s->m4 * beta_v_0;
-  const double m_4 = s->m5 * beta_v_0;
-  const double m_5 = s->m5 * beta_v_1;
+  const double beta_v_0 = KSL_MUL(s->m3, b);
+  const double beta_v_1 = KSL_MUL(s->m4, b);
+  const double beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0);
+  const double m_1 = KSL_MUL(s->m4, beta_v_1);
+  const double m_2 = KSL_MUL(s->m5, beta_v_2);
+  const double m_3 = KSL_MUL(s->m4, beta_v_0);
+  const double m_4 = KSL_MUL(s->m5, beta_v_0);
+  const double m_5 = KSL_MUL(s->m5, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
@@ -12737,9 +13309,9 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = 0.5 * s->m3;
-  const double alpha_v_1 = 0.5 * s->m4;
-  const double alpha_v_2 = 0.5 * s->m5;
+  const double alpha_v_0 = KSL_MUL(0.5, s->m3);
+  const double alpha_v_1 = KSL_MUL(0.5, s->m4);
+  const double alpha_v_2 = KSL_MUL(0.5, s->m5);
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
@@ -12747,60 +13319,69 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
   const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = cotangent * cotangent, b_rate_square_b = 0.25 * b_rate_square_a,
-      b_rate_square = 0.25 + b_rate_square_b;
+  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
+      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
   const double b_rate_rest = b_rate_square - b_rate_across;
   const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = 3.3612243325542163e-29 * x, b_rate_b = b_rate_a + 1.2532382798262054e-27,
-      b_rate_c = x * b_rate_b, b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = x * b_rate_d,
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = x * b_rate_f,
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = x * b_rate_h,
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = x * b_rate_j,
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = x * b_rate_l,
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = x * b_rate_n,
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = x * b_rate_p,
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = x * b_rate_r,
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = x * b_rate_t,
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = x * b_rate_v,
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = x * b_rate_x,
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = x * b_rate_z,
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = x * b_rate_ab,
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = x * b_rate_ad,
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = x * b_rate_af,
+  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
+      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
+      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
+      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
+      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
+      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
+      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
+      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
+      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
+      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
+      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
+      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
+      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
+      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
+      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
+      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
+      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
       b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
-  const double rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_bend_a = b_rate * rate_vw, rate_bend = -rate_bend_a;
-  const double rate_q_0 = 0.5 * s->m0;
-  const double rate_q_1 = 0.5 * s->m1;
-  const double rate_q_2 = 0.5 * s->m2;
-  const double rate_beta_v_0a = s->m0 * b, rate_beta_v_0 = -rate_beta_v_0a;
-  const double rate_beta_v_1a = s->m1 * b, rate_beta_v_1 = -rate_beta_v_1a;
-  const double rate_beta_v_2a = s->m2 * b, rate_beta_v_2 = -rate_beta_v_2a;
-  const double rate_bend_w_0a = s->m3 * rate_bend, rate_bend_w_0 = -rate_bend_w_0a;
-  const double rate_bend_w_1a = s->m4 * rate_bend, rate_bend_w_1 = -rate_bend_w_1a;
-  const double rate_bend_w_2a = s->m5 * rate_bend, rate_bend_w_2 = -rate_bend_w_2a;
-  const double rate_symmetric_0a = s->m4 * rate_bend_w_0, rate_symmetric_0b = s->m3 * rate_beta_v_1,
-      rate_symmetric_0c = s->m4 * rate_beta_v_0,
+  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const double rate_bend_a = KSL_MUL(b_rate, rate_vw), rate_bend = -rate_bend_a;
+  const double rate_q_0 = KSL_MUL(0.5, s->m0);
+  const double rate_q_1 = KSL_MUL(0.5, s->m1);
+  const double rate_q_2 = KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0a = KSL_MUL(s->m0, b), rate_beta_v_0 = -rate_beta_v_0a;
+  const double rate_beta_v_1a = KSL_MUL(s->m1, b), rate_beta_v_1 = -rate_beta_v_1a;
+  const double rate_beta_v_2a = KSL_MUL(s->m2, b), rate_beta_v_2 = -rate_beta_v_2a;
+  const double rate_bend_w_0a = KSL_MUL(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
+  const double rate_bend_w_1a = KSL_MUL(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
+  const double rate_bend_w_2a = KSL_MUL(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
+  const double rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_0b = KSL_MUL(s->m3, rate_beta_v_1),
+      rate_symmetric_0c = KSL_MUL(s->m4, rate_beta_v_0),
       rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
       rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const double rate_symmetric_1a = s->m5 * rate_bend_w_0, rate_symmetric_1b = s->m3 * rate_beta_v_2,
-      rate_symmetric_1c = s->m5 * rate_beta_v_0,
+  const double rate_symmetric_1a = KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_1b = KSL_MUL(s->m3, rate_beta_v_2),
+      rate_symmetric_1c = KSL_MUL(s->m5, rate_beta_v_0),
       rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
       rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const double rate_symmetric_2a = s->m5 * rate_bend_w_1, rate_symmetric_2b = s->m4 * rate_beta_v_2,
-      rate_symmetric_2c = s->m5 * rate_beta_v_1,
+  const double rate_symmetric_2a = KSL_MUL(s->m5, rate_bend_w_1),
+      rate_symmetric_2b = KSL_MUL(s->m4, rate_beta_v_2),
+      rate_symmetric_2c = KSL_MUL(s->m5, rate_beta_v_1),
       rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
       rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const double rate_diagonal_0a = 2.0 * s->m4, rate_diagonal_0b = rate_diagonal_0a * rate_beta_v_1,
-      rate_diagonal_0c = 2.0 * s->m5, rate_diagonal_0d = rate_diagonal_0c * rate_beta_v_2,
+  const double rate_diagonal_0a = KSL_MUL(2.0, s->m4),
+      rate_diagonal_0b = KSL_MUL(rate_diagonal_0a, rate_beta_v_1),
+      rate_diagonal_0c = KSL_MUL(2.0, s->m5),
+      rate_diagonal_0d = KSL_MUL(rate_diagonal_0c, rate_beta_v_2),
       rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
-      rate_diagonal_0f = s->m4 * rate_bend_w_1, rate_diagonal_0g = s->m5 * rate_bend_w_2,
+      rate_diagonal_0f = KSL_MUL(s->m4, rate_bend_w_1),
+      rate_diagonal_0g = KSL_MUL(s->m5, rate_bend_w_2),
       rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const double rate_diagonal_1a = 2.0 * s->m3, rate_diagonal_1b = rate_diagonal_1a * rate_beta_v_0,
+  const double rate_diagonal_1a = KSL_MUL(2.0, s->m3),
+      rate_diagonal_1b = KSL_MUL(rate_diagonal_1a, rate_beta_v_0),
       rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
-      rate_diagonal_1d = s->m3 * rate_bend_w_0,
+      rate_diagonal_1d = KSL_MUL(s->m3, rate_bend_w_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
   const double rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
@@ -12860,41 +13441,41 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double apart_0 = D2->m03 - D1->m03;
   const double apart_1 = D2->m13 - D1->m13;
   const double apart_2 = D2->m23 - D1->m23;
-  const double between_0a = D1->m00 * D2->m00, between_0b = D1->m10 * D2->m10,
-      between_0c = between_0a + between_0b, between_0d = D1->m20 * D2->m20,
+  const double between_0a = KSL_MUL(D1->m00, D2->m00), between_0b = KSL_MUL(D1->m10, D2->m10),
+      between_0c = between_0a + between_0b, between_0d = KSL_MUL(D1->m20, D2->m20),
       between_0 = between_0c + between_0d;
-  const double between_1a = D1->m00 * D2->m01, between_1b = D1->m10 * D2->m11,
-      between_1c = between_1a + between_1b, between_1d = D1->m20 * D2->m21,
+  const double between_1a = KSL_MUL(D1->m00, D2->m01), between_1b = KSL_MUL(D1->m10, D2->m11),
+      between_1c = between_1a + between_1b, between_1d = KSL_MUL(D1->m20, D2->m21),
       between_1 = between_1c + between_1d;
-  const double between_2a = D1->m00 * D2->m02, between_2b = D1->m10 * D2->m12,
-      between_2c = between_2a + between_2b, between_2d = D1->m20 * D2->m22,
+  const double between_2a = KSL_MUL(D1->m00, D2->m02), between_2b = KSL_MUL(D1->m10, D2->m12),
+      between_2c = between_2a + between_2b, between_2d = KSL_MUL(D1->m20, D2->m22),
       between_2 = between_2c + between_2d;
-  const double between_3a = D1->m00 * apart_0, between_3b = D1->m10 * apart_1,
-      between_3c = between_3a + between_3b, between_3d = D1->m20 * apart_2,
+  const double between_3a = KSL_MUL(D1->m00, apart_0), between_3b = KSL_MUL(D1->m10, apart_1),
+      between_3c = between_3a + between_3b, between_3d = KSL_MUL(D1->m20, apart_2),
       between_3 = between_3c + between_3d;
-  const double between_4a = D1->m01 * D2->m00, between_4b = D1->m11 * D2->m10,
-      between_4c = between_4a + between_4b, between_4d = D1->m21 * D2->m20,
+  const double between_4a = KSL_MUL(D1->m01, D2->m00), between_4b = KSL_MUL(D1->m11, D2->m10),
+      between_4c = between_4a + between_4b, between_4d = KSL_MUL(D1->m21, D2->m20),
       between_4 = between_4c + between_4d;
-  const double between_5a = D1->m01 * D2->m01, between_5b = D1->m11 * D2->m11,
-      between_5c = between_5a + between_5b, between_5d = D1->m21 * D2->m21,
+  const double between_5a = KSL_MUL(D1->m01, D2->m01), between_5b = KSL_MUL(D1->m11, D2->m11),
+      between_5c = between_5a + between_5b, between_5d = KSL_MUL(D1->m21, D2->m21),
       between_5 = between_5c + between_5d;
-  const double between_6a = D1->m01 * D2->m02, between_6b = D1->m11 * D2->m12,
-      between_6c = between_6a + between_6b, between_6d = D1->m21 * D2->m22,
+  const double between_6a = KSL_MUL(D1->m01, D2->m02), between_6b = KSL_MUL(D1->m11, D2->m12),
+      between_6c = between_6a + between_6b, between_6d = KSL_MUL(D1->m21, D2->m22),
       between_6 = between_6c + between_6d;
-  const double between_7a = D1->m01 * apart_0, between_7b = D1->m11 * apart_1,
-      between_7c = between_7a + between_7b, between_7d = D1->m21 * apart_2,
+  const double between_7a = KSL_MUL(D1->m01, apart_0), between_7b = KSL_MUL(D1->m11, apart_1),
+      between_7c = between_7a + between_7b, between_7d = KSL_MUL(D1->m21, apart_2),
       between_7 = between_7c + between_7d;
-  const double between_8a = D1->m02 * D2->m00, between_8b = D1->m12 * D2->m10,
-      between_8c = between_8a + between_8b, between_8d = D1->m22 * D2->m20,
+  const double between_8a = KSL_MUL(D1->m02, D2->m00), between_8b = KSL_MUL(D1->m12, D2->m10),
+      between_8c = between_8a + between_8b, between_8d = KSL_MUL(D1->m22, D2->m20),
       between_8 = between_8c + between_8d;
-  const double between_9a = D1->m02 * D2->m01, between_9b = D1->m12 * D2->m11,
-      between_9c = between_9a + between_9b, between_9d = D1->m22 * D2->m21,
+  const double between_9a = KSL_MUL(D1->m02, D2->m01), between_9b = KSL_MUL(D1->m12, D2->m11),
+      between_9c = between_9a + between_9b, between_9d = KSL_MUL(D1->m22, D2->m21),
       between_9 = between_9c + between_9d;
-  const double between_10a = D1->m02 * D2->m02, between_10b = D1->m12 * D2->m12,
-      between_10c = between_10a + between_10b, between_10d = D1->m22 * D2->m22,
+  const double between_10a = KSL_MUL(D1->m02, D2->m02), between_10b = KSL_MUL(D1->m12, D2->m12),
+      between_10c = between_10a + between_10b, between_10d = KSL_MUL(D1->m22, D2->m22),
       between_10 = between_10c + between_10d;
-  const double between_11a = D1->m02 * apart_0, between_11b = D1->m12 * apart_1,
-      between_11c = between_11a + between_11b, between_11d = D1->m22 * apart_2,
+  const double between_11a = KSL_MUL(D1->m02, apart_0), between_11b = KSL_MUL(D1->m12, apart_1),
+      between_11c = between_11a + between_11b, between_11d = KSL_MUL(D1->m22, apart_2),
       between_11 = between_11c + between_11d;
   const double log_p_0 = between_9 - between_6;
   const double log_p_1 = between_2 - between_8;
@@ -12937,77 +13518,77 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       log_v_s = log_v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : log_v_s_b;
-  const double log_v_y_0 = log_upper_0 * log_v_s;
-  const double log_v_y_1 = log_upper_1 * log_v_s;
-  const double log_v_y_2 = log_upper_2 * log_v_s;
-  const double log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
-      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
+  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s);
+  const double log_v_y_1 = KSL_MUL(log_upper_1, log_v_s);
+  const double log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
+  const double log_v_n_a = KSL_MUL(log_v_y_0, log_v_y_0), log_v_n_b = KSL_MUL(log_v_y_1, log_v_y_1),
+      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = KSL_MUL(log_v_y_2, log_v_y_2),
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
   const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       log_v_r = 1.0 < log_v_s ? 2.409919865102884e-181 : log_v_r_b;
-  const double log_n = log_v_n * log_v_r;
+  const double log_n = KSL_MUL(log_v_n, log_v_r);
   const double log_half = atan2(log_n, log_upper_3);
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
-  const double log_theta = 2.0 * log_half;
+  const double log_theta = KSL_MUL(2.0, log_half);
   const double log_k = log_theta / log_divisor;
-  const double log_vector_0 = log_upper_0 * log_k;
-  const double log_vector_1 = log_upper_1 * log_k;
-  const double log_vector_2 = log_upper_2 * log_k;
-  const double log_x = log_theta * log_theta;
+  const double log_vector_0 = KSL_MUL(log_upper_0, log_k);
+  const double log_vector_1 = KSL_MUL(log_upper_1, log_k);
+  const double log_vector_2 = KSL_MUL(log_upper_2, log_k);
+  const double log_x = KSL_MUL(log_theta, log_theta);
   const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
   const double log_cotangent = log_upper_3 / log_far_sine;
-  const double log_half_cotangent_a = 0.5 * log_theta,
-      log_half_cotangent = log_half_cotangent_a * log_cotangent;
+  const double log_half_cotangent_a = KSL_MUL(0.5, log_theta),
+      log_half_cotangent = KSL_MUL(log_half_cotangent_a, log_cotangent);
   const double log_b_rest = 1.0 - log_half_cotangent;
   const double log_b_divisor = log_x < 4.0 ? 4.0 : log_x;
   const double log_closed_b = log_b_rest / log_b_divisor;
-  const double log_b_a = 1.455172475614865e-27 * log_x, log_b_b = log_b_a + 5.744790668872202e-26,
-      log_b_c = log_x * log_b_b, log_b_d = log_b_c + 2.267952452337683e-24,
-      log_b_e = log_x * log_b_d, log_b_f = log_b_e + 8.953517427037546e-23,
-      log_b_g = log_x * log_b_f, log_b_h = log_b_g + 3.534707039629467e-21,
-      log_b_i = log_x * log_b_h, log_b_j = log_b_i + 1.3954464685812522e-19,
-      log_b_k = log_x * log_b_j, log_b_l = log_b_k + 5.5090028283602295e-18,
-      log_b_m = log_x * log_b_l, log_b_n = log_b_m + 2.174868698558062e-16,
-      log_b_o = log_x * log_b_n, log_b_p = log_b_o + 8.586062056277845e-15,
-      log_b_q = log_x * log_b_p, log_b_r = log_b_q + 3.3896802963225827e-13,
-      log_b_s = log_x * log_b_r, log_b_t = log_b_s + 1.3382536530684679e-11,
-      log_b_u = log_x * log_b_t, log_b_v = log_b_u + 5.284190138687493e-10,
-      log_b_w = log_x * log_b_v, log_b_x = log_b_w + 2.08767569878681e-08,
-      log_b_y = log_x * log_b_x, log_b_z = log_b_y + 8.267195767195768e-07,
-      log_b_aa = log_x * log_b_z, log_b_ab = log_b_aa + 3.306878306878307e-05,
-      log_b_ac = log_x * log_b_ab, log_b_ad = log_b_ac + 0.001388888888888889,
-      log_b_ae = log_x * log_b_ad, log_b_af = log_b_ae + 0.08333333333333333,
-      log_b = log_x < 4.0 ? log_b_af : log_closed_b;
-  const double log_b_across_a = log_x * log_b, log_b_across_b = 1.0 - log_b_across_a,
+  const double log_b_a = KSL_MUL(1.455172475614865e-27, log_x),
+      log_b_b = log_b_a + 5.744790668872202e-26, log_b_c = KSL_MUL(log_x, log_b_b),
+      log_b_d = log_b_c + 2.267952452337683e-24, log_b_e = KSL_MUL(log_x, log_b_d),
+      log_b_f = log_b_e + 8.953517427037546e-23, log_b_g = KSL_MUL(log_x, log_b_f),
+      log_b_h = log_b_g + 3.534707039629467e-21, log_b_i = KSL_MUL(log_x, log_b_h),
+      log_b_j = log_b_i + 1.3954464685812522e-19, log_b_k = KSL_MUL(log_x, log_b_j),
+      log_b_l = log_b_k + 5.5090028283602295e-18, log_b_m = KSL_MUL(log_x, log_b_l),
+      log_b_n = log_b_m + 2.174868698558062e-16, log_b_o = KSL_MUL(log_x, log_b_n),
+      log_b_p = log_b_o + 8.586062056277845e-15, log_b_q = KSL_MUL(log_x, log_b_p),
+      log_b_r = log_b_q + 3.3896802963225827e-13, log_b_s = KSL_MUL(log_x, log_b_r),
+      log_b_t = log_b_s + 1.3382536530684679e-11, log_b_u = KSL_MUL(log_x, log_b_t),
+      log_b_v = log_b_u + 5.284190138687493e-10, log_b_w = KSL_MUL(log_x, log_b_v),
+      log_b_x = log_b_w + 2.08767569878681e-08, log_b_y = KSL_MUL(log_x, log_b_x),
+      log_b_z = log_b_y + 8.267195767195768e-07, log_b_aa = KSL_MUL(log_x, log_b_z),
+      log_b_ab = log_b_aa + 3.306878306878307e-05, log_b_ac = KSL_MUL(log_x, log_b_ab),
+      log_b_ad = log_b_ac + 0.001388888888888889, log_b_ae = KSL_MUL(log_x, log_b_ad),
+      log_b_af = log_b_ae + 0.08333333333333333, log_b = log_x < 4.0 ? log_b_af : log_closed_b;
+  const double log_b_across_a = KSL_MUL(log_x, log_b), log_b_across_b = 1.0 - log_b_across_a,
       log_b_across = log_x < 4.0 ? log_b_across_b : log_half_cotangent;
-  const double log_wt_a = between_3 * log_vector_0, log_wt_b = between_7 * log_vector_1,
-      log_wt_c = log_wt_a + log_wt_b, log_wt_d = between_11 * log_vector_2,
-      log_wt = log_wt_c + log_wt_d;
-  const double log_pitch = log_b * log_wt;
-  const double log_along_0 = log_vector_0 * log_pitch;
-  const double log_along_1 = log_vector_1 * log_pitch;
-  const double log_along_2 = log_vector_2 * log_pitch;
-  const double log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
-      log_u_0 = log_u_0a - log_u_0b;
-  const double log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
-      log_u_1 = log_u_1a - log_u_1b;
-  const double log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
-      log_u_2 = log_u_2a - log_u_2b;
-  const double log_turned_0 = 0.5 * log_u_0;
-  const double log_turned_1 = 0.5 * log_u_1;
-  const double log_turned_2 = 0.5 * log_u_2;
+  const double log_wt_a = KSL_MUL(between_3, log_vector_0),
+      log_wt_b = KSL_MUL(between_7, log_vector_1), log_wt_c = log_wt_a + log_wt_b,
+      log_wt_d = KSL_MUL(between_11, log_vector_2), log_wt = log_wt_c + log_wt_d;
+  const double log_pitch = KSL_MUL(log_b, log_wt);
+  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch);
+  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch);
+  const double log_along_2 = KSL_MUL(log_vector_2, log_pitch);
+  const double log_u_0a = KSL_MUL(between_11, log_vector_1),
+      log_u_0b = KSL_MUL(between_7, log_vector_2), log_u_0 = log_u_0a - log_u_0b;
+  const double log_u_1a = KSL_MUL(between_3, log_vector_2),
+      log_u_1b = KSL_MUL(between_11, log_vector_0), log_u_1 = log_u_1a - log_u_1b;
+  const double log_u_2a = KSL_MUL(between_7, log_vector_0),
+      log_u_2b = KSL_MUL(between_3, log_vector_1), log_u_2 = log_u_2a - log_u_2b;
+  const double log_turned_0 = KSL_MUL(0.5, log_u_0);
+  const double log_turned_1 = KSL_MUL(0.5, log_u_1);
+  const double log_turned_2 = KSL_MUL(0.5, log_u_2);
   const double log_across_axis_0 = log_along_0 - log_turned_0;
   const double log_across_axis_1 = log_along_1 - log_turned_1;
   const double log_across_axis_2 = log_along_2 - log_turned_2;
-  const double whole_0a = between_3 * log_b_across, whole_0 = whole_0a + log_across_axis_0;
-  const double whole_1a = between_7 * log_b_across, whole_1 = whole_1a + log_across_axis_1;
-  const double whole_2a = between_11 * log_b_across, whole_2 = whole_2a + log_across_axis_2;
-  const double screw_0 = k * whole_0;
-  const double screw_1 = k * whole_1;
-  const double screw_2 = k * whole_2;
-  const double screw_3 = k * log_vector_0;
-  const double screw_4 = k * log_vector_1;
-  const double screw_5 = k * log_vector_2;
+  const double whole_0a = KSL_MUL(between_3, log_b_across), whole_0 = whole_0a + log_across_axis_0;
+  const double whole_1a = KSL_MUL(between_7, log_b_across), whole_1 = whole_1a + log_across_axis_1;
+  const double whole_2a = KSL_MUL(between_11, log_b_across), whole_2 = whole_2a + log_across_axis_2;
+  const double screw_0 = KSL_MUL(k, whole_0);
+  const double screw_1 = KSL_MUL(k, whole_1);
+  const double screw_2 = KSL_MUL(k, whole_2);
+  const double screw_3 = KSL_MUL(k, log_vector_0);
+  const double screw_4 = KSL_MUL(k, log_vector_1);
+  const double screw_5 = KSL_MUL(k, log_vector_2);
   const double exp_shifted_0 = screw_3 + 1610612736.0;
   const double exp_shifted_1 = screw_4 + 1610612736.0;
   const double exp_shifted_2 = screw_5 + 1610612736.0;
@@ -13020,28 +13601,32 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double exp_sum_0 = screw_3 + exp_high_0;
   const double exp_sum_1 = screw_4 + exp_high_1;
   const double exp_sum_2 = screw_5 + exp_high_2;
-  const double exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
-      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
-      exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
-      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
-      exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
+      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
+      exp_squares_c = exp_squares_a + exp_squares_b,
+      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
+  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
+      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
+      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
   const double exp_theta_shifted = exp_theta + 1610612736.0;
   const double exp_theta_high = exp_theta_shifted - 1610612736.0;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
       exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
+      exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_delta_a = KSL_MUL(0.5, exp_residual), exp_delta = exp_delta_a / exp_theta;
   const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
       exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
+      exp_sine = exp_sine_a + exp_far_sine;
+  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
+      exp_cosine = exp_far_cosine - exp_cosine_a;
   const double exp_far_x = exp_x < 1.0 ? 1.0 : exp_x;
   const double exp_middle_x = exp_x < 4.0 ? 4.0 : exp_x;
   const double exp_closed1 = exp_sine / exp_theta;
@@ -13049,70 +13634,72 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double exp_closed2 = exp_versine / exp_far_x;
   const double exp_rest3 = 1.0 - exp_closed1;
   const double exp_closed3 = exp_rest3 / exp_middle_x;
-  const double exp_g1a = 6.446950284384474e-26 * exp_x, exp_g1b = exp_g1a - 3.868170170630684e-23,
-      exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572941063391263e-20,
-      exp_g1e = exp_x * exp_g1d, exp_g1f = exp_g1e - 8.22063524662433e-18,
-      exp_g1g = exp_x * exp_g1f, exp_g1h = exp_g1g + 2.8114572543455206e-15,
-      exp_g1i = exp_x * exp_g1h, exp_g1j = exp_g1i - 7.647163731819816e-13,
-      exp_g1k = exp_x * exp_g1j, exp_g1l = exp_g1k + 1.6059043836821613e-10,
-      exp_g1m = exp_x * exp_g1l, exp_g1n = exp_g1m - 2.505210838544172e-08,
-      exp_g1o = exp_x * exp_g1n, exp_g1p = exp_g1o + 2.7557319223985893e-06,
-      exp_g1q = exp_x * exp_g1p, exp_g1r = exp_g1q - 0.0001984126984126984,
-      exp_g1s = exp_x * exp_g1r, exp_g1t = exp_g1s + 0.008333333333333333,
-      exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = exp_x * exp_g1v,
+  const double exp_g1a = KSL_MUL(6.446950284384474e-26, exp_x),
+      exp_g1b = exp_g1a - 3.868170170630684e-23, exp_g1c = KSL_MUL(exp_x, exp_g1b),
+      exp_g1d = exp_g1c + 1.9572941063391263e-20, exp_g1e = KSL_MUL(exp_x, exp_g1d),
+      exp_g1f = exp_g1e - 8.22063524662433e-18, exp_g1g = KSL_MUL(exp_x, exp_g1f),
+      exp_g1h = exp_g1g + 2.8114572543455206e-15, exp_g1i = KSL_MUL(exp_x, exp_g1h),
+      exp_g1j = exp_g1i - 7.647163731819816e-13, exp_g1k = KSL_MUL(exp_x, exp_g1j),
+      exp_g1l = exp_g1k + 1.6059043836821613e-10, exp_g1m = KSL_MUL(exp_x, exp_g1l),
+      exp_g1n = exp_g1m - 2.505210838544172e-08, exp_g1o = KSL_MUL(exp_x, exp_g1n),
+      exp_g1p = exp_g1o + 2.7557319223985893e-06, exp_g1q = KSL_MUL(exp_x, exp_g1p),
+      exp_g1r = exp_g1q - 0.0001984126984126984, exp_g1s = KSL_MUL(exp_x, exp_g1r),
+      exp_g1t = exp_g1s + 0.008333333333333333, exp_g1u = KSL_MUL(exp_x, exp_g1t),
+      exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = KSL_MUL(exp_x, exp_g1v),
       exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 1.0 ? exp_g1x : exp_closed1;
-  const double exp_g2a = 2.4795962632247976e-27 * exp_x, exp_g2b = exp_g2a - 1.6117375710961184e-24,
-      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791392450574e-22,
-      exp_g2e = exp_x * exp_g2d, exp_g2f = exp_g2e - 4.110317623312165e-19,
-      exp_g2g = exp_x * exp_g2f, exp_g2h = exp_g2g + 1.5619206968586225e-16,
-      exp_g2i = exp_x * exp_g2h, exp_g2j = exp_g2i - 4.779477332387385e-14,
-      exp_g2k = exp_x * exp_g2j, exp_g2l = exp_g2k + 1.1470745597729725e-11,
-      exp_g2m = exp_x * exp_g2l, exp_g2n = exp_g2m - 2.08767569878681e-09,
-      exp_g2o = exp_x * exp_g2n, exp_g2p = exp_g2o + 2.755731922398589e-07,
-      exp_g2q = exp_x * exp_g2p, exp_g2r = exp_g2q - 2.48015873015873e-05,
-      exp_g2s = exp_x * exp_g2r, exp_g2t = exp_g2s + 0.001388888888888889,
-      exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
-      exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5,
-      exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
-  const double exp_g3a = 9.183689863795546e-29 * exp_x, exp_g3b = exp_g3a - 6.446950284384474e-26,
-      exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.868170170630684e-23,
-      exp_g3e = exp_x * exp_g3d, exp_g3f = exp_g3e - 1.9572941063391263e-20,
-      exp_g3g = exp_x * exp_g3f, exp_g3h = exp_g3g + 8.22063524662433e-18,
-      exp_g3i = exp_x * exp_g3h, exp_g3j = exp_g3i - 2.8114572543455206e-15,
-      exp_g3k = exp_x * exp_g3j, exp_g3l = exp_g3k + 7.647163731819816e-13,
-      exp_g3m = exp_x * exp_g3l, exp_g3n = exp_g3m - 1.6059043836821613e-10,
-      exp_g3o = exp_x * exp_g3n, exp_g3p = exp_g3o + 2.505210838544172e-08,
-      exp_g3q = exp_x * exp_g3p, exp_g3r = exp_g3q - 2.7557319223985893e-06,
-      exp_g3s = exp_x * exp_g3r, exp_g3t = exp_g3s + 0.0001984126984126984,
-      exp_g3u = exp_x * exp_g3t, exp_g3v = exp_g3u - 0.008333333333333333,
-      exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666666666666666,
-      exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
-  const double exp_g0a = exp_x * exp_g2, exp_g0b = 1.0 - exp_g0a,
+  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
+      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
+      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
+      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
+      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
+      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
+      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
+      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
+      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
+      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
+      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
+      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
+      exp_g2x = exp_g2w + 0.5, exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
+  const double exp_g3a = KSL_MUL(9.183689863795546e-29, exp_x),
+      exp_g3b = exp_g3a - 6.446950284384474e-26, exp_g3c = KSL_MUL(exp_x, exp_g3b),
+      exp_g3d = exp_g3c + 3.868170170630684e-23, exp_g3e = KSL_MUL(exp_x, exp_g3d),
+      exp_g3f = exp_g3e - 1.9572941063391263e-20, exp_g3g = KSL_MUL(exp_x, exp_g3f),
+      exp_g3h = exp_g3g + 8.22063524662433e-18, exp_g3i = KSL_MUL(exp_x, exp_g3h),
+      exp_g3j = exp_g3i - 2.8114572543455206e-15, exp_g3k = KSL_MUL(exp_x, exp_g3j),
+      exp_g3l = exp_g3k + 7.647163731819816e-13, exp_g3m = KSL_MUL(exp_x, exp_g3l),
+      exp_g3n = exp_g3m - 1.6059043836821613e-10, exp_g3o = KSL_MUL(exp_x, exp_g3n),
+      exp_g3p = exp_g3o + 2.505210838544172e-08, exp_g3q = KSL_MUL(exp_x, exp_g3p),
+      exp_g3r = exp_g3q - 2.7557319223985893e-06, exp_g3s = KSL_MUL(exp_x, exp_g3r),
+      exp_g3t = exp_g3s + 0.0001984126984126984, exp_g3u = KSL_MUL(exp_x, exp_g3t),
+      exp_g3v = exp_g3u - 0.008333333333333333, exp_g3w = KSL_MUL(exp_x, exp_g3v),
+      exp_g3x = exp_g3w + 0.16666666666666666, exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
+  const double exp_g0a = KSL_MUL(exp_x, exp_g2), exp_g0b = 1.0 - exp_g0a,
       exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
-  const double exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
+  const double exp_u_0a = KSL_MUL(screw_2, screw_4), exp_u_0b = KSL_MUL(screw_1, screw_5),
       exp_u_0 = exp_u_0a - exp_u_0b;
-  const double exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,
+  const double exp_u_1a = KSL_MUL(screw_0, screw_5), exp_u_1b = KSL_MUL(screw_2, screw_3),
       exp_u_1 = exp_u_1a - exp_u_1b;
-  const double exp_u_2a = screw_1 * screw_3, exp_u_2b = screw_0 * screw_4,
+  const double exp_u_2a = KSL_MUL(screw_1, screw_3), exp_u_2b = KSL_MUL(screw_0, screw_4),
       exp_u_2 = exp_u_2a - exp_u_2b;
-  const double exp_turned_0 = exp_g2 * exp_u_0;
-  const double exp_turned_1 = exp_g2 * exp_u_1;
-  const double exp_turned_2 = exp_g2 * exp_u_2;
-  const double exp_wv_a = screw_0 * screw_3, exp_wv_b = screw_1 * screw_4,
-      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = screw_2 * screw_5, exp_wv = exp_wv_c + exp_wv_d;
-  const double exp_pitch = exp_g3 * exp_wv;
-  const double exp_along_0 = screw_3 * exp_pitch;
-  const double exp_along_1 = screw_4 * exp_pitch;
-  const double exp_along_2 = screw_5 * exp_pitch;
-  const double exp_beta_v_0 = screw_3 * exp_g2;
-  const double exp_beta_v_1 = screw_4 * exp_g2;
-  const double exp_beta_v_2 = screw_5 * exp_g2;
-  const double exp_m_0 = screw_3 * exp_beta_v_0;
-  const double exp_m_1 = screw_4 * exp_beta_v_1;
-  const double exp_m_2 = screw_5 * exp_beta_v_2;
-  const double exp_m_3 = screw_4 * exp_beta_v_0;
-  const double exp_m_4 = screw_5 * exp_beta_v_0;
-  const double exp_m_5 = screw_5 * exp_beta_v_1;
+  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0);
+  const double exp_turned_1 = KSL_MUL(exp_g2, exp_u_1);
+  const double exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
+  const double exp_wv_a = KSL_MUL(screw_0, screw_3), exp_wv_b = KSL_MUL(screw_1, screw_4),
+      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = KSL_MUL(screw_2, screw_5),
+      exp_wv = exp_wv_c + exp_wv_d;
+  const double exp_pitch = KSL_MUL(exp_g3, exp_wv);
+  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch);
+  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch);
+  const double exp_along_2 = KSL_MUL(screw_5, exp_pitch);
+  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2);
+  const double exp_beta_v_1 = KSL_MUL(screw_4, exp_g2);
+  const double exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
+  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0);
+  const double exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1);
+  const double exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2);
+  const double exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0);
+  const double exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0);
+  const double exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
   const double exp_others_0 = exp_m_1 + exp_m_2;
   const double exp_others_1 = exp_m_0 + exp_m_2;
   const double exp_others_2 = exp_m_0 + exp_m_1;
@@ -13122,45 +13709,48 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const double exp_diagonal2a = 1.0 - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const double exp_alpha_v_0 = screw_3 * exp_g1;
-  const double exp_alpha_v_1 = screw_4 * exp_g1;
-  const double exp_alpha_v_2 = screw_5 * exp_g1;
+  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1);
+  const double exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1);
+  const double exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
   const double exp_across_axis_0 = exp_turned_0 + exp_along_0;
   const double exp_across_axis_1 = exp_turned_1 + exp_along_1;
   const double exp_across_axis_2 = exp_turned_2 + exp_along_2;
   const double step_1 = exp_m_3 - exp_alpha_v_2;
   const double step_2 = exp_m_4 + exp_alpha_v_1;
-  const double step_3a = screw_0 * exp_g1, step_3 = step_3a + exp_across_axis_0;
+  const double step_3a = KSL_MUL(screw_0, exp_g1), step_3 = step_3a + exp_across_axis_0;
   const double step_4 = exp_m_3 + exp_alpha_v_2;
   const double step_6 = exp_m_5 - exp_alpha_v_0;
-  const double step_7a = screw_1 * exp_g1, step_7 = step_7a + exp_across_axis_1;
+  const double step_7a = KSL_MUL(screw_1, exp_g1), step_7 = step_7a + exp_across_axis_1;
   const double step_8 = exp_m_4 - exp_alpha_v_1;
   const double step_9 = exp_m_5 + exp_alpha_v_0;
-  const double step_11a = screw_2 * exp_g1, step_11 = step_11a + exp_across_axis_2;
-  const double Do_00a = D1->m00 * exp_diagonal0, Do_00b = D1->m01 * step_4,
-      Do_00c = D1->m02 * step_8, Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
-  const double Do_01a = D1->m00 * step_1, Do_01b = D1->m02 * step_9, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m01 * exp_diagonal1, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * step_2, Do_02b = D1->m01 * step_6, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * exp_diagonal2, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * step_3, Do_03b = D1->m01 * step_7, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * step_11, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * exp_diagonal0, Do_10b = D1->m11 * step_4,
-      Do_10c = D1->m12 * step_8, Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
-  const double Do_11a = D1->m10 * step_1, Do_11b = D1->m12 * step_9, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m11 * exp_diagonal1, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m10 * step_2, Do_12b = D1->m11 * step_6, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * exp_diagonal2, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m10 * step_3, Do_13b = D1->m11 * step_7, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * step_11, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * exp_diagonal0, Do_20b = D1->m21 * step_4,
-      Do_20c = D1->m22 * step_8, Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
-  const double Do_21a = D1->m20 * step_1, Do_21b = D1->m22 * step_9, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m21 * exp_diagonal1, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m20 * step_2, Do_22b = D1->m21 * step_6, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * exp_diagonal2, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m20 * step_3, Do_23b = D1->m21 * step_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * step_11, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const double step_11a = KSL_MUL(screw_2, exp_g1), step_11 = step_11a + exp_across_axis_2;
+  const double Do_00a = KSL_MUL(D1->m00, exp_diagonal0), Do_00b = KSL_MUL(D1->m01, step_4),
+      Do_00c = KSL_MUL(D1->m02, step_8), Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, step_1), Do_01b = KSL_MUL(D1->m02, step_9),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m01, exp_diagonal1), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, step_2), Do_02b = KSL_MUL(D1->m01, step_6),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, exp_diagonal2), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, step_3), Do_03b = KSL_MUL(D1->m01, step_7),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, step_11), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const double Do_10a = KSL_MUL(D1->m10, exp_diagonal0), Do_10b = KSL_MUL(D1->m11, step_4),
+      Do_10c = KSL_MUL(D1->m12, step_8), Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m10, step_1), Do_11b = KSL_MUL(D1->m12, step_9),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m11, exp_diagonal1), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m10, step_2), Do_12b = KSL_MUL(D1->m11, step_6),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, exp_diagonal2), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m10, step_3), Do_13b = KSL_MUL(D1->m11, step_7),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, step_11), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const double Do_20a = KSL_MUL(D1->m20, exp_diagonal0), Do_20b = KSL_MUL(D1->m21, step_4),
+      Do_20c = KSL_MUL(D1->m22, step_8), Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m20, step_1), Do_21b = KSL_MUL(D1->m22, step_9),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m21, exp_diagonal1), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m20, step_2), Do_22b = KSL_MUL(D1->m21, step_6),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, exp_diagonal2), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m20, step_3), Do_23b = KSL_MUL(D1->m21, step_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, step_11), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -13192,53 +13782,57 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float sum_0 = v->x + high_0;
   const float sum_1 = v->y + high_1;
   const float sum_2 = v->z + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
-  const float beta_v_0 = v->x * g2;
-  const float beta_v_1 = v->y * g2;
-  const float beta_v_2 = v->z * g2;
-  const float m_0 = v->x * beta_v_0;
-  const float m_1 = v->y * beta_v_1;
-  const float m_2 = v->z * beta_v_2;
-  const float m_3 = v->y * beta_v_0;
-  const float m_4 = v->z * beta_v_0;
-  const float m_5 = v->z * beta_v_1;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g0a = KSL_MULF(x, g2), g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
+  const float beta_v_0 = KSL_MULF(v->x, g2);
+  const float beta_v_1 = KSL_MULF(v->y, g2);
+  const float beta_v_2 = KSL_MULF(v->z, g2);
+  const float m_0 = KSL_MULF(v->x, beta_v_0);
+  const float m_1 = KSL_MULF(v->y, beta_v_1);
+  const float m_2 = KSL_MULF(v->z, beta_v_2);
+  const float m_3 = KSL_MULF(v->y, beta_v_0);
+  const float m_4 = KSL_MULF(v->z, beta_v_0);
+  const float m_5 = KSL_MULF(v->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -13248,9 +13842,9 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = v->x * g1;
-  const float alpha_v_1 = v->y * g1;
-  const float alpha_v_2 = v->z * g1;
+  const float alpha_v_0 = KSL_MULF(v->x, g1);
+  const float alpha_v_1 = KSL_MULF(v->y, g1);
+  const float alpha_v_2 = KSL_MULF(v->z, g1);
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -13310,20 +13904,20 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float theta = 2.0f * half;
+  const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = upper_0 * k;
-  const float vector_1 = upper_1 * k;
-  const float vector_2 = upper_2 * k;
+  const float vector_0 = KSL_MULF(upper_0, k);
+  const float vector_1 = KSL_MULF(upper_1, k);
+  const float vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -13346,25 +13940,25 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float sum_0 = v->x + high_0;
   const float sum_1 = v->y + high_1;
   const float sum_2 = v->z + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -13372,36 +13966,42 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
-      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
-      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
-      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
-      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
-      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
-      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = v->x * g3;
-  const float beta_v_1 = v->y * g3;
-  const float beta_v_2 = v->z * g3;
-  const float m_0 = v->x * beta_v_0;
-  const float m_1 = v->y * beta_v_1;
-  const float m_2 = v->z * beta_v_2;
-  const float m_3 = v->y * beta_v_0;
-  const float m_4 = v->z * beta_v_0;
-  const float m_5 = v->z * beta_v_1;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
+      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
+      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
+      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
+      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
+      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
+      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
+      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+      g3 = x < 4.0f ? g3x : closed3;
+  const float beta_v_0 = KSL_MULF(v->x, g3);
+  const float beta_v_1 = KSL_MULF(v->y, g3);
+  const float beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0);
+  const float m_1 = KSL_MULF(v->y, beta_v_1);
+  const float m_2 = KSL_MULF(v->z, beta_v_2);
+  const float m_3 = KSL_MULF(v->y, beta_v_0);
+  const float m_4 = KSL_MULF(v->z, beta_v_0);
+  const float m_5 = KSL_MULF(v->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -13411,9 +14011,9 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = v->x * g2;
-  const float alpha_v_1 = v->y * g2;
-  const float alpha_v_2 = v->z * g2;
+  const float alpha_v_0 = KSL_MULF(v->x, g2);
+  const float alpha_v_1 = KSL_MULF(v->y, g2);
+  const float alpha_v_2 = KSL_MULF(v->z, g2);
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -13448,25 +14048,25 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float sum_0 = v->x + high_0;
   const float sum_1 = v->y + high_1;
   const float sum_2 = v->z + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -13474,36 +14074,42 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
-      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
-      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
-      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
-      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
-      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
-      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = v->x * g3;
-  const float beta_v_1 = v->y * g3;
-  const float beta_v_2 = v->z * g3;
-  const float m_0 = v->x * beta_v_0;
-  const float m_1 = v->y * beta_v_1;
-  const float m_2 = v->z * beta_v_2;
-  const float m_3 = v->y * beta_v_0;
-  const float m_4 = v->z * beta_v_0;
-  const float m_5 = v->z * beta_v_1;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
+      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
+      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
+      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
+      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
+      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
+      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
+      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+      g3 = x < 4.0f ? g3x : closed3;
+  const float beta_v_0 = KSL_MULF(v->x, g3);
+  const float beta_v_1 = KSL_MULF(v->y, g3);
+  const float beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0);
+  const float m_1 = KSL_MULF(v->y, beta_v_1);
+  const float m_2 = KSL_MULF(v->z, beta_v_2);
+  const float m_3 = KSL_MULF(v->y, beta_v_0);
+  const float m_4 = KSL_MULF(v->z, beta_v_0);
+  const float m_5 = KSL_MULF(v->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -13513,9 +14119,9 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = v->x * g2, alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = v->y * g2, alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = v->z * g2, alpha_v_2 = -alpha_v_2a;
+  const float alpha_v_0a = KSL_MULF(v->x, g2), alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = KSL_MULF(v->y, g2), alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = KSL_MULF(v->z, g2), alpha_v_2 = -alpha_v_2a;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -13551,52 +14157,55 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float sum_0 = v->x + high_0;
   const float sum_1 = v->y + high_1;
   const float sum_2 = v->z + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float half_cotangent_a = KSL_MULF(0.5f, theta),
+      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
-      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
-      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
-      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
-      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
-      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
-      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
-      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
-      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
+      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
+      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
+      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
+      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
+      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
+      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
+      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
+      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
+      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
+      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
       b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = v->x * b;
-  const float beta_v_1 = v->y * b;
-  const float beta_v_2 = v->z * b;
-  const float m_0 = v->x * beta_v_0;
-  const float m_1 = v->y * beta_v_1;
-  const float m_2 = v->z * beta_v_2;
-  const float m_3 = v->y * beta_v_0;
-  const float m_4 = v->z * beta_v_0;
-  const float m_5 = v->z * beta_v_1;
+  const float beta_v_0 = KSL_MULF(v->x, b);
+  const float beta_v_1 = KSL_MULF(v->y, b);
+  const float beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0);
+  const float m_1 = KSL_MULF(v->y, beta_v_1);
+  const float m_2 = KSL_MULF(v->z, beta_v_2);
+  const float m_3 = KSL_MULF(v->y, beta_v_0);
+  const float m_4 = KSL_MULF(v->z, beta_v_0);
+  const float m_5 = KSL_MULF(v->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -13606,9 +14215,9 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = 0.5f * v->x, alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = 0.5f * v->y, alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = 0.5f * v->z, alpha_v_2 = -alpha_v_2a;
+  const float alpha_v_0a = KSL_MULF(0.5f, v->x), alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = KSL_MULF(0.5f, v->y), alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = KSL_MULF(0.5f, v->z), alpha_v_2 = -alpha_v_2a;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -13644,52 +14253,55 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float sum_0 = v->x + high_0;
   const float sum_1 = v->y + high_1;
   const float sum_2 = v->z + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float half_cotangent_a = KSL_MULF(0.5f, theta),
+      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
-      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
-      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
-      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
-      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
-      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
-      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
-      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
-      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
+      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
+      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
+      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
+      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
+      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
+      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
+      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
+      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
+      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
+      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
       b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = v->x * b;
-  const float beta_v_1 = v->y * b;
-  const float beta_v_2 = v->z * b;
-  const float m_0 = v->x * beta_v_0;
-  const float m_1 = v->y * beta_v_1;
-  const float m_2 = v->z * beta_v_2;
-  const float m_3 = v->y * beta_v_0;
-  const float m_4 = v->z * beta_v_0;
-  const float m_5 = v->z * beta_v_1;
+  const float beta_v_0 = KSL_MULF(v->x, b);
+  const float beta_v_1 = KSL_MULF(v->y, b);
+  const float beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0);
+  const float m_1 = KSL_MULF(v->y, beta_v_1);
+  const float m_2 = KSL_MULF(v->z, beta_v_2);
+  const float m_3 = KSL_MULF(v->y, beta_v_0);
+  const float m_4 = KSL_MULF(v->z, beta_v_0);
+  const float m_5 = KSL_MULF(v->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -13699,9 +14311,9 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = 0.5f * v->x;
-  const float alpha_v_1 = 0.5f * v->y;
-  const float alpha_v_2 = 0.5f * v->z;
+  const float alpha_v_0 = KSL_MULF(0.5f, v->x);
+  const float alpha_v_1 = KSL_MULF(0.5f, v->y);
+  const float alpha_v_2 = KSL_MULF(0.5f, v->z);
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
   const float R_10 = m_3 + alpha_v_2;
@@ -13725,27 +14337,27 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
    Error <= R: 8 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
-  const float half = 0.5f * angle;
+  const float half = KSL_MULF(0.5f, angle);
   const float h = sinf(half);
   const float cosine = cosf(angle);
-  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
-      versine = cosine < 0.0f ? versine_c : versine_b;
+  const float versine_a = KSL_MULF(h, h), versine_b = KSL_MULF(2.0f, versine_a),
+      versine_c = 1.0f - cosine, versine = cosine < 0.0f ? versine_c : versine_b;
   const float sine = sinf(angle);
-  const float beta_v_0 = axis->x * versine;
-  const float beta_v_1 = axis->y * versine;
-  const float beta_v_2 = axis->z * versine;
-  const float m_0 = axis->x * beta_v_0;
-  const float m_1 = axis->y * beta_v_1;
-  const float m_2 = axis->z * beta_v_2;
-  const float m_3 = axis->y * beta_v_0;
-  const float m_4 = axis->z * beta_v_0;
-  const float m_5 = axis->z * beta_v_1;
+  const float beta_v_0 = KSL_MULF(axis->x, versine);
+  const float beta_v_1 = KSL_MULF(axis->y, versine);
+  const float beta_v_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, beta_v_0);
+  const float m_1 = KSL_MULF(axis->y, beta_v_1);
+  const float m_2 = KSL_MULF(axis->z, beta_v_2);
+  const float m_3 = KSL_MULF(axis->y, beta_v_0);
+  const float m_4 = KSL_MULF(axis->z, beta_v_0);
+  const float m_5 = KSL_MULF(axis->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = axis->x * sine;
-  const float alpha_v_1 = axis->y * sine;
-  const float alpha_v_2 = axis->z * sine;
+  const float alpha_v_0 = KSL_MULF(axis->x, sine);
+  const float alpha_v_1 = KSL_MULF(axis->y, sine);
+  const float alpha_v_2 = KSL_MULF(axis->z, sine);
   const float R_00 = 1.0f - others_0;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
@@ -13808,19 +14420,19 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
   const float unit_2 = v_y_2 / divisor;
-  const float angle = 2.0f * half;
+  const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -13834,56 +14446,77 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
-  const float defect_0a = self->m00 * self->m00, defect_0b = 1.0f - defect_0a,
-      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
-  const float defect_1a = self->m01 * self->m01, defect_1b = 1.0f - defect_1a,
-      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
-  const float defect_2a = self->m02 * self->m02, defect_2b = 1.0f - defect_2a,
-      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
-  const float defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
-      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const float defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
-      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const float defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
-      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
-      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+  const float defect_0a = KSL_MULF(self->m00, self->m00), defect_0b = 1.0f - defect_0a,
+      defect_0c = KSL_MULF(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MULF(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
+  const float defect_1a = KSL_MULF(self->m01, self->m01), defect_1b = 1.0f - defect_1a,
+      defect_1c = KSL_MULF(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MULF(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
+  const float defect_2a = KSL_MULF(self->m02, self->m02), defect_2b = 1.0f - defect_2a,
+      defect_2c = KSL_MULF(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MULF(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
+  const float defect_3a = KSL_MULF(self->m00, self->m01),
+      defect_3b = KSL_MULF(self->m10, self->m11), defect_3c = defect_3a + defect_3b,
+      defect_3d = KSL_MULF(self->m20, self->m21), defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const float defect_4a = KSL_MULF(self->m00, self->m02),
+      defect_4b = KSL_MULF(self->m10, self->m12), defect_4c = defect_4a + defect_4b,
+      defect_4d = KSL_MULF(self->m20, self->m22), defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const float defect_5a = KSL_MULF(self->m01, self->m02),
+      defect_5b = KSL_MULF(self->m11, self->m12), defect_5c = defect_5a + defect_5b,
+      defect_5d = KSL_MULF(self->m21, self->m22), defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float self_00_new_a = KSL_MULF(self->m00, correction_0),
+      self_00_new_b = KSL_MULF(self->m01, correction_3),
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = KSL_MULF(self->m02, correction_4),
       self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const float self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
-      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+  const float self_01_new_a = KSL_MULF(self->m00, correction_3),
+      self_01_new_b = KSL_MULF(self->m01, correction_1),
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = KSL_MULF(self->m02, correction_5),
       self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const float self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
-      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+  const float self_02_new_a = KSL_MULF(self->m00, correction_4),
+      self_02_new_b = KSL_MULF(self->m01, correction_5),
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = KSL_MULF(self->m02, correction_2),
       self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const float self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
-      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+  const float self_10_new_a = KSL_MULF(self->m10, correction_0),
+      self_10_new_b = KSL_MULF(self->m11, correction_3),
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = KSL_MULF(self->m12, correction_4),
       self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const float self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
-      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+  const float self_11_new_a = KSL_MULF(self->m10, correction_3),
+      self_11_new_b = KSL_MULF(self->m11, correction_1),
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = KSL_MULF(self->m12, correction_5),
       self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const float self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
-      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+  const float self_12_new_a = KSL_MULF(self->m10, correction_4),
+      self_12_new_b = KSL_MULF(self->m11, correction_5),
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = KSL_MULF(self->m12, correction_2),
       self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const float self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
-      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+  const float self_20_new_a = KSL_MULF(self->m20, correction_0),
+      self_20_new_b = KSL_MULF(self->m21, correction_3),
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = KSL_MULF(self->m22, correction_4),
       self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const float self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
-      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+  const float self_21_new_a = KSL_MULF(self->m20, correction_3),
+      self_21_new_b = KSL_MULF(self->m21, correction_1),
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = KSL_MULF(self->m22, correction_5),
       self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const float self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
-      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+  const float self_22_new_a = KSL_MULF(self->m20, correction_4),
+      self_22_new_b = KSL_MULF(self->m21, correction_5),
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = KSL_MULF(self->m22, correction_2),
       self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
@@ -13902,56 +14535,56 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float defect_0a = R->m00 * R->m00, defect_0b = 1.0f - defect_0a,
-      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
-      defect_0 = defect_0d - defect_0e;
-  const float defect_1a = R->m01 * R->m01, defect_1b = 1.0f - defect_1a,
-      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
-      defect_1 = defect_1d - defect_1e;
-  const float defect_2a = R->m02 * R->m02, defect_2b = 1.0f - defect_2a,
-      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
-      defect_2 = defect_2d - defect_2e;
-  const float defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+  const float defect_0a = KSL_MULF(R->m00, R->m00), defect_0b = 1.0f - defect_0a,
+      defect_0c = KSL_MULF(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MULF(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
+  const float defect_1a = KSL_MULF(R->m01, R->m01), defect_1b = 1.0f - defect_1a,
+      defect_1c = KSL_MULF(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MULF(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
+  const float defect_2a = KSL_MULF(R->m02, R->m02), defect_2b = 1.0f - defect_2a,
+      defect_2c = KSL_MULF(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MULF(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3b = KSL_MULF(R->m10, R->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MULF(R->m20, R->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const float defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4b = KSL_MULF(R->m10, R->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MULF(R->m20, R->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const float defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5b = KSL_MULF(R->m11, R->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MULF(R->m21, R->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float Ro_00a = KSL_MULF(R->m00, correction_0), Ro_00b = KSL_MULF(R->m01, correction_3),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
       Ro_00 = R->m00 + Ro_00e;
-  const float Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+  const float Ro_01a = KSL_MULF(R->m00, correction_3), Ro_01b = KSL_MULF(R->m01, correction_1),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
       Ro_01 = Ro_01e + R->m01;
-  const float Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+  const float Ro_02a = KSL_MULF(R->m00, correction_4), Ro_02b = KSL_MULF(R->m01, correction_5),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
       Ro_02 = Ro_02e + R->m02;
-  const float Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+  const float Ro_10a = KSL_MULF(R->m10, correction_0), Ro_10b = KSL_MULF(R->m11, correction_3),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
       Ro_10 = R->m10 + Ro_10e;
-  const float Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+  const float Ro_11a = KSL_MULF(R->m10, correction_3), Ro_11b = KSL_MULF(R->m11, correction_1),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
       Ro_11 = Ro_11e + R->m11;
-  const float Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+  const float Ro_12a = KSL_MULF(R->m10, correction_4), Ro_12b = KSL_MULF(R->m11, correction_5),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
       Ro_12 = Ro_12e + R->m12;
-  const float Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+  const float Ro_20a = KSL_MULF(R->m20, correction_0), Ro_20b = KSL_MULF(R->m21, correction_3),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
       Ro_20 = R->m20 + Ro_20e;
-  const float Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+  const float Ro_21a = KSL_MULF(R->m20, correction_3), Ro_21b = KSL_MULF(R->m21, correction_1),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
       Ro_21 = Ro_21e + R->m21;
-  const float Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+  const float Ro_22a = KSL_MULF(R->m20, correction_4), Ro_22b = KSL_MULF(R->m21, correction_5),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
       Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -13981,25 +14614,25 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float sum_0 = s->m3 + high_0;
   const float sum_1 = s->m4 + high_1;
   const float sum_2 = s->m5 + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -14007,49 +14640,55 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
-      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
-      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
-      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
-      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
-      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
-      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
-  const float g0a = x * g2, g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
-  const float u_0a = s->m2 * s->m4, u_0b = s->m1 * s->m5, u_0 = u_0a - u_0b;
-  const float u_1a = s->m0 * s->m5, u_1b = s->m2 * s->m3, u_1 = u_1a - u_1b;
-  const float u_2a = s->m1 * s->m3, u_2b = s->m0 * s->m4, u_2 = u_2a - u_2b;
-  const float turned_0 = g2 * u_0;
-  const float turned_1 = g2 * u_1;
-  const float turned_2 = g2 * u_2;
-  const float wv_a = s->m0 * s->m3, wv_b = s->m1 * s->m4, wv_c = wv_a + wv_b, wv_d = s->m2 * s->m5,
-      wv = wv_c + wv_d;
-  const float pitch = g3 * wv;
-  const float along_0 = s->m3 * pitch;
-  const float along_1 = s->m4 * pitch;
-  const float along_2 = s->m5 * pitch;
-  const float beta_v_0 = s->m3 * g2;
-  const float beta_v_1 = s->m4 * g2;
-  const float beta_v_2 = s->m5 * g2;
-  const float m_0 = s->m3 * beta_v_0;
-  const float m_1 = s->m4 * beta_v_1;
-  const float m_2 = s->m5 * beta_v_2;
-  const float m_3 = s->m4 * beta_v_0;
-  const float m_4 = s->m5 * beta_v_0;
-  const float m_5 = s->m5 * beta_v_1;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
+      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
+      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
+      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
+      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
+      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
+      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
+      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+      g3 = x < 4.0f ? g3x : closed3;
+  const float g0a = KSL_MULF(x, g2), g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
+  const float u_0a = KSL_MULF(s->m2, s->m4), u_0b = KSL_MULF(s->m1, s->m5), u_0 = u_0a - u_0b;
+  const float u_1a = KSL_MULF(s->m0, s->m5), u_1b = KSL_MULF(s->m2, s->m3), u_1 = u_1a - u_1b;
+  const float u_2a = KSL_MULF(s->m1, s->m3), u_2b = KSL_MULF(s->m0, s->m4), u_2 = u_2a - u_2b;
+  const float turned_0 = KSL_MULF(g2, u_0);
+  const float turned_1 = KSL_MULF(g2, u_1);
+  const float turned_2 = KSL_MULF(g2, u_2);
+  const float wv_a = KSL_MULF(s->m0, s->m3), wv_b = KSL_MULF(s->m1, s->m4), wv_c = wv_a + wv_b,
+      wv_d = KSL_MULF(s->m2, s->m5), wv = wv_c + wv_d;
+  const float pitch = KSL_MULF(g3, wv);
+  const float along_0 = KSL_MULF(s->m3, pitch);
+  const float along_1 = KSL_MULF(s->m4, pitch);
+  const float along_2 = KSL_MULF(s->m5, pitch);
+  const float beta_v_0 = KSL_MULF(s->m3, g2);
+  const float beta_v_1 = KSL_MULF(s->m4, g2);
+  const float beta_v_2 = KSL_MULF(s->m5, g2);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0);
+  const float m_1 = KSL_MULF(s->m4, beta_v_1);
+  const float m_2 = KSL_MULF(s->m5, beta_v_2);
+  const float m_3 = KSL_MULF(s->m4, beta_v_0);
+  const float m_4 = KSL_MULF(s->m5, beta_v_0);
+  const float m_5 = KSL_MULF(s->m5, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -14059,21 +14698,21 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = s->m3 * g1;
-  const float alpha_v_1 = s->m4 * g1;
-  const float alpha_v_2 = s->m5 * g1;
+  const float alpha_v_0 = KSL_MULF(s->m3, g1);
+  const float alpha_v_1 = KSL_MULF(s->m4, g1);
+  const float alpha_v_2 = KSL_MULF(s->m5, g1);
   const float across_axis_0 = turned_0 + along_0;
   const float across_axis_1 = turned_1 + along_1;
   const float across_axis_2 = turned_2 + along_2;
   const float D_01 = m_3 - alpha_v_2;
   const float D_02 = m_4 + alpha_v_1;
-  const float D_03a = s->m0 * g1, D_03 = D_03a + across_axis_0;
+  const float D_03a = KSL_MULF(s->m0, g1), D_03 = D_03a + across_axis_0;
   const float D_10 = m_3 + alpha_v_2;
   const float D_12 = m_5 - alpha_v_0;
-  const float D_13a = s->m1 * g1, D_13 = D_13a + across_axis_1;
+  const float D_13a = KSL_MULF(s->m1, g1), D_13 = D_13a + across_axis_1;
   const float D_20 = m_4 - alpha_v_1;
   const float D_21 = m_5 + alpha_v_0;
-  const float D_23a = s->m2 * g1, D_23 = D_23a + across_axis_2;
+  const float D_23a = KSL_MULF(s->m2, g1), D_23 = D_23a + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -14130,56 +14769,62 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float theta = 2.0f * half;
+  const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = upper_0 * k;
-  const float vector_1 = upper_1 * k;
-  const float vector_2 = upper_2 * k;
-  const float x = theta * theta;
+  const float vector_0 = KSL_MULF(upper_0, k);
+  const float vector_1 = KSL_MULF(upper_1, k);
+  const float vector_2 = KSL_MULF(upper_2, k);
+  const float x = KSL_MULF(theta, theta);
   const float far_sine = x < 1.0f ? 1.0f : n;
   const float cotangent = upper_3 / far_sine;
-  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float half_cotangent_a = KSL_MULF(0.5f, theta),
+      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
-      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
-      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
-      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
-      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
-      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
-      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
-      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
-      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
+      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
+      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
+      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
+      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
+      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
+      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
+      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
+      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
+      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
+      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
       b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float wt_a = D->m03 * vector_0, wt_b = D->m13 * vector_1, wt_c = wt_a + wt_b,
-      wt_d = D->m23 * vector_2, wt = wt_c + wt_d;
-  const float pitch = b * wt;
-  const float along_0 = vector_0 * pitch;
-  const float along_1 = vector_1 * pitch;
-  const float along_2 = vector_2 * pitch;
-  const float u_0a = D->m23 * vector_1, u_0b = D->m13 * vector_2, u_0 = u_0a - u_0b;
-  const float u_1a = D->m03 * vector_2, u_1b = D->m23 * vector_0, u_1 = u_1a - u_1b;
-  const float u_2a = D->m13 * vector_0, u_2b = D->m03 * vector_1, u_2 = u_2a - u_2b;
-  const float turned_0 = 0.5f * u_0;
-  const float turned_1 = 0.5f * u_1;
-  const float turned_2 = 0.5f * u_2;
+  const float wt_a = KSL_MULF(D->m03, vector_0), wt_b = KSL_MULF(D->m13, vector_1),
+      wt_c = wt_a + wt_b, wt_d = KSL_MULF(D->m23, vector_2), wt = wt_c + wt_d;
+  const float pitch = KSL_MULF(b, wt);
+  const float along_0 = KSL_MULF(vector_0, pitch);
+  const float along_1 = KSL_MULF(vector_1, pitch);
+  const float along_2 = KSL_MULF(vector_2, pitch);
+  const float u_0a = KSL_MULF(D->m23, vector_1), u_0b = KSL_MULF(D->m13, vector_2),
+      u_0 = u_0a - u_0b;
+  const float u_1a = KSL_MULF(D->m03, vector_2), u_1b = KSL_MULF(D->m23, vector_0),
+      u_1 = u_1a - u_1b;
+  const float u_2a = KSL_MULF(D->m13, vector_0), u_2b = KSL_MULF(D->m03, vector_1),
+      u_2 = u_2a - u_2b;
+  const float turned_0 = KSL_MULF(0.5f, u_0);
+  const float turned_1 = KSL_MULF(0.5f, u_1);
+  const float turned_2 = KSL_MULF(0.5f, u_2);
   const float across_axis_0 = along_0 - turned_0;
   const float across_axis_1 = along_1 - turned_1;
   const float across_axis_2 = along_2 - turned_2;
-  const float so_0a = D->m03 * b_across, so_0 = so_0a + across_axis_0;
-  const float so_1a = D->m13 * b_across, so_1 = so_1a + across_axis_1;
-  const float so_2a = D->m23 * b_across, so_2 = so_2a + across_axis_2;
+  const float so_0a = KSL_MULF(D->m03, b_across), so_0 = so_0a + across_axis_0;
+  const float so_1a = KSL_MULF(D->m13, b_across), so_1 = so_1a + across_axis_1;
+  const float so_2a = KSL_MULF(D->m23, b_across), so_2 = so_2a + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -14205,25 +14850,25 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float sum_0 = s->m3 + high_0;
   const float sum_1 = s->m4 + high_1;
   const float sum_2 = s->m5 + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -14231,59 +14876,70 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
-      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
-      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
-      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
-      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
-      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
-      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
+      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
+      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
+      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
+      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
+      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
+      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
+      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+      g3 = x < 4.0f ? g3x : closed3;
   const float late_x = x < 9.0f ? 1.0f : x;
-  const float rate2_rest_a = 2.0f * g2, rate2_rest = g1 - rate2_rest_a;
+  const float rate2_rest_a = KSL_MULF(2.0f, g2), rate2_rest = g1 - rate2_rest_a;
   const float closed_rate2 = rate2_rest / late_x;
-  const float rate3_rest_a = 3.0f * g3, rate3_rest = g2 - rate3_rest_a;
+  const float rate3_rest_a = KSL_MULF(3.0f, g3), rate3_rest = g2 - rate3_rest_a;
   const float closed_rate3 = rate3_rest / late_x;
-  const float rate2a = 8.527712e-29f * x, rate2b = 5.951031e-26f - rate2a, rate2c = x * rate2b,
-      rate2d = rate2c - 3.5458228e-23f, rate2e = x * rate2d, rate2f = rate2e + 1.7793582e-20f,
-      rate2g = x * rate2f, rate2h = rate2g - 7.398571e-18f, rate2i = x * rate2h,
-      rate2j = rate2i + 2.499073e-15f, rate2k = x * rate2j, rate2l = rate2k - 6.691268e-13f,
-      rate2m = x * rate2l, rate2n = rate2m + 1.3764895e-10f, rate2o = x * rate2n,
-      rate2p = rate2o - 2.0876756e-08f, rate2q = x * rate2p, rate2r = rate2q + 2.2045856e-06f,
-      rate2s = x * rate2r, rate2t = rate2s - 0.00014880953f, rate2u = x * rate2t,
-      rate2v = rate2u + 0.0055555557f, rate2w = x * rate2v, rate2x = rate2w - 0.083333336f,
+  const float rate2a = KSL_MULF(8.527712e-29f, x), rate2b = 5.951031e-26f - rate2a,
+      rate2c = KSL_MULF(x, rate2b), rate2d = rate2c - 3.5458228e-23f, rate2e = KSL_MULF(x, rate2d),
+      rate2f = rate2e + 1.7793582e-20f, rate2g = KSL_MULF(x, rate2f),
+      rate2h = rate2g - 7.398571e-18f, rate2i = KSL_MULF(x, rate2h),
+      rate2j = rate2i + 2.499073e-15f, rate2k = KSL_MULF(x, rate2j),
+      rate2l = rate2k - 6.691268e-13f, rate2m = KSL_MULF(x, rate2l),
+      rate2n = rate2m + 1.3764895e-10f, rate2o = KSL_MULF(x, rate2n),
+      rate2p = rate2o - 2.0876756e-08f, rate2q = KSL_MULF(x, rate2p),
+      rate2r = rate2q + 2.2045856e-06f, rate2s = KSL_MULF(x, rate2r),
+      rate2t = rate2s - 0.00014880953f, rate2u = KSL_MULF(x, rate2t),
+      rate2v = rate2u + 0.0055555557f, rate2w = KSL_MULF(x, rate2v), rate2x = rate2w - 0.083333336f,
       rate2 = x < 9.0f ? rate2x : closed_rate2;
-  const float rate3a = 2.9405903e-30f * x, rate3b = 2.2040857e-27f - rate3a, rate3c = x * rate3b,
-      rate3d = rate3c - 1.418329e-24f, rate3e = x * rate3d, rate3f = rate3e + 7.7363405e-22f,
-      rate3g = x * rate3f, rate3h = rate3g - 3.5231295e-19f, rate3i = x * rate3h,
-      rate3j = rate3i + 1.3153016e-16f, rate3k = x * rate3j, rate3l = rate3k - 3.93604e-14f,
-      rate3m = x * rate3l, rate3n = rate3m + 9.176596e-12f, rate3o = x * rate3n,
-      rate3p = rate3o - 1.6059044e-09f, rate3q = x * rate3p, rate3r = rate3q + 2.0041686e-07f,
-      rate3s = x * rate3r, rate3t = rate3s - 1.6534392e-05f, rate3u = x * rate3t,
-      rate3v = rate3u + 0.0007936508f, rate3w = x * rate3v, rate3x = rate3w - 0.016666668f,
+  const float rate3a = KSL_MULF(2.9405903e-30f, x), rate3b = 2.2040857e-27f - rate3a,
+      rate3c = KSL_MULF(x, rate3b), rate3d = rate3c - 1.418329e-24f, rate3e = KSL_MULF(x, rate3d),
+      rate3f = rate3e + 7.7363405e-22f, rate3g = KSL_MULF(x, rate3f),
+      rate3h = rate3g - 3.5231295e-19f, rate3i = KSL_MULF(x, rate3h),
+      rate3j = rate3i + 1.3153016e-16f, rate3k = KSL_MULF(x, rate3j),
+      rate3l = rate3k - 3.93604e-14f, rate3m = KSL_MULF(x, rate3l), rate3n = rate3m + 9.176596e-12f,
+      rate3o = KSL_MULF(x, rate3n), rate3p = rate3o - 1.6059044e-09f, rate3q = KSL_MULF(x, rate3p),
+      rate3r = rate3q + 2.0041686e-07f, rate3s = KSL_MULF(x, rate3r),
+      rate3t = rate3s - 1.6534392e-05f, rate3u = KSL_MULF(x, rate3t),
+      rate3v = rate3u + 0.0007936508f, rate3w = KSL_MULF(x, rate3v), rate3x = rate3w - 0.016666668f,
       rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = s->m3 * g3;
-  const float beta_v_1 = s->m4 * g3;
-  const float beta_v_2 = s->m5 * g3;
-  const float m_0 = s->m3 * beta_v_0;
-  const float m_1 = s->m4 * beta_v_1;
-  const float m_2 = s->m5 * beta_v_2;
-  const float m_3 = s->m4 * beta_v_0;
-  const float m_4 = s->m5 * beta_v_0;
-  const float m_5 = s->m5 * beta_v_1;
+  const float beta_v_0 = KSL_MULF(s->m3, g3);
+  const float beta_v_1 = KSL_MULF(s->m4, g3);
+  const float beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0);
+  const float m_1 = KSL_MULF(s->m4, beta_v_1);
+  const float m_2 = KSL_MULF(s->m5, beta_v_2);
+  const float m_3 = KSL_MULF(s->m4, beta_v_0);
+  const float m_4 = KSL_MULF(s->m5, beta_v_0);
+  const float m_5 = KSL_MULF(s->m5, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -14293,52 +14949,60 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = s->m3 * g2;
-  const float alpha_v_1 = s->m4 * g2;
-  const float alpha_v_2 = s->m5 * g2;
+  const float alpha_v_0 = KSL_MULF(s->m3, g2);
+  const float alpha_v_1 = KSL_MULF(s->m4, g2);
+  const float alpha_v_2 = KSL_MULF(s->m5, g2);
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
   const float J_5 = m_5 - alpha_v_0;
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
-  const float rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_turn = rate2 * rate_vw;
-  const float rate_bend_a = rate3 * rate_vw, rate_bend = -rate_bend_a;
-  const float rate_q_0a = s->m0 * g2, rate_q_0b = s->m3 * rate_turn,
+  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const float rate_turn = KSL_MULF(rate2, rate_vw);
+  const float rate_bend_a = KSL_MULF(rate3, rate_vw), rate_bend = -rate_bend_a;
+  const float rate_q_0a = KSL_MULF(s->m0, g2), rate_q_0b = KSL_MULF(s->m3, rate_turn),
       rate_q_0 = rate_q_0a + rate_q_0b;
-  const float rate_q_1a = s->m1 * g2, rate_q_1b = s->m4 * rate_turn,
+  const float rate_q_1a = KSL_MULF(s->m1, g2), rate_q_1b = KSL_MULF(s->m4, rate_turn),
       rate_q_1 = rate_q_1a + rate_q_1b;
-  const float rate_q_2a = s->m2 * g2, rate_q_2b = s->m5 * rate_turn,
+  const float rate_q_2a = KSL_MULF(s->m2, g2), rate_q_2b = KSL_MULF(s->m5, rate_turn),
       rate_q_2 = rate_q_2a + rate_q_2b;
-  const float rate_beta_v_0 = s->m0 * g3;
-  const float rate_beta_v_1 = s->m1 * g3;
-  const float rate_beta_v_2 = s->m2 * g3;
-  const float rate_bend_w_0 = s->m3 * rate_bend;
-  const float rate_bend_w_1 = s->m4 * rate_bend;
-  const float rate_bend_w_2 = s->m5 * rate_bend;
-  const float rate_symmetric_0a = s->m3 * rate_beta_v_1, rate_symmetric_0b = s->m4 * rate_beta_v_0,
+  const float rate_beta_v_0 = KSL_MULF(s->m0, g3);
+  const float rate_beta_v_1 = KSL_MULF(s->m1, g3);
+  const float rate_beta_v_2 = KSL_MULF(s->m2, g3);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
+  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
+  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0a = KSL_MULF(s->m3, rate_beta_v_1),
+      rate_symmetric_0b = KSL_MULF(s->m4, rate_beta_v_0),
       rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = s->m4 * rate_bend_w_0,
+      rate_symmetric_0d = KSL_MULF(s->m4, rate_bend_w_0),
       rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const float rate_symmetric_1a = s->m3 * rate_beta_v_2, rate_symmetric_1b = s->m5 * rate_beta_v_0,
+  const float rate_symmetric_1a = KSL_MULF(s->m3, rate_beta_v_2),
+      rate_symmetric_1b = KSL_MULF(s->m5, rate_beta_v_0),
       rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = s->m5 * rate_bend_w_0,
+      rate_symmetric_1d = KSL_MULF(s->m5, rate_bend_w_0),
       rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const float rate_symmetric_2a = s->m4 * rate_beta_v_2, rate_symmetric_2b = s->m5 * rate_beta_v_1,
+  const float rate_symmetric_2a = KSL_MULF(s->m4, rate_beta_v_2),
+      rate_symmetric_2b = KSL_MULF(s->m5, rate_beta_v_1),
       rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = s->m5 * rate_bend_w_1,
+      rate_symmetric_2d = KSL_MULF(s->m5, rate_bend_w_1),
       rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
-  const float rate_diagonal_0a = s->m4 * rate_bend_w_1, rate_diagonal_0b = s->m5 * rate_bend_w_2,
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b, rate_diagonal_0d = 2.0f * s->m4,
-      rate_diagonal_0e = rate_diagonal_0d * rate_beta_v_1, rate_diagonal_0f = 2.0f * s->m5,
-      rate_diagonal_0g = rate_diagonal_0f * rate_beta_v_2,
+  const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
+      rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
+      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
+      rate_diagonal_0d = KSL_MULF(2.0f, s->m4),
+      rate_diagonal_0e = KSL_MULF(rate_diagonal_0d, rate_beta_v_1),
+      rate_diagonal_0f = KSL_MULF(2.0f, s->m5),
+      rate_diagonal_0g = KSL_MULF(rate_diagonal_0f, rate_beta_v_2),
       rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
-  const float rate_diagonal_1a = s->m3 * rate_bend_w_0,
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b, rate_diagonal_1c = 2.0f * s->m3,
-      rate_diagonal_1d = rate_diagonal_1c * rate_beta_v_0,
+  const float rate_diagonal_1a = KSL_MULF(s->m3, rate_bend_w_0),
+      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
+      rate_diagonal_1c = KSL_MULF(2.0f, s->m3),
+      rate_diagonal_1d = KSL_MULF(rate_diagonal_1c, rate_beta_v_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
   const float rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
@@ -14405,25 +15069,25 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float sum_0 = s->m3 + high_0;
   const float sum_1 = s->m4 + high_1;
   const float sum_2 = s->m5 + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -14431,59 +15095,70 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = 6.4469503e-26f * x, g1b = g1a - 3.8681703e-23f, g1c = x * g1b,
-      g1d = g1c + 1.9572942e-20f, g1e = x * g1d, g1f = g1e - 8.220635e-18f, g1g = x * g1f,
-      g1h = g1g + 2.8114574e-15f, g1i = x * g1h, g1j = g1i - 7.6471636e-13f, g1k = x * g1j,
-      g1l = g1k + 1.6059044e-10f, g1m = x * g1l, g1n = g1m - 2.5052108e-08f, g1o = x * g1n,
-      g1p = g1o + 2.7557319e-06f, g1q = x * g1p, g1r = g1q - 0.0001984127f, g1s = x * g1r,
-      g1t = g1s + 0.008333334f, g1u = x * g1t, g1v = g1u - 0.16666667f, g1w = x * g1v,
-      g1x = g1w + 1.0f, g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = 2.4795963e-27f * x, g2b = g2a - 1.6117376e-24f, g2c = x * g2b,
-      g2d = g2c + 8.896791e-22f, g2e = x * g2d, g2f = g2e - 4.1103176e-19f, g2g = x * g2f,
-      g2h = g2g + 1.5619207e-16f, g2i = x * g2h, g2j = g2i - 4.7794773e-14f, g2k = x * g2j,
-      g2l = g2k + 1.1470745e-11f, g2m = x * g2l, g2n = g2m - 2.0876756e-09f, g2o = x * g2n,
-      g2p = g2o + 2.755732e-07f, g2q = x * g2p, g2r = g2q - 2.4801588e-05f, g2s = x * g2r,
-      g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
-      g2x = g2w + 0.5f, g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = 9.18369e-29f * x, g3b = g3a - 6.4469503e-26f, g3c = x * g3b,
-      g3d = g3c + 3.8681703e-23f, g3e = x * g3d, g3f = g3e - 1.9572942e-20f, g3g = x * g3f,
-      g3h = g3g + 8.220635e-18f, g3i = x * g3h, g3j = g3i - 2.8114574e-15f, g3k = x * g3j,
-      g3l = g3k + 7.6471636e-13f, g3m = x * g3l, g3n = g3m - 1.6059044e-10f, g3o = x * g3n,
-      g3p = g3o + 2.5052108e-08f, g3q = x * g3p, g3r = g3q - 2.7557319e-06f, g3s = x * g3r,
-      g3t = g3s + 0.0001984127f, g3u = x * g3t, g3v = g3u - 0.008333334f, g3w = x * g3v,
-      g3x = g3w + 0.16666667f, g3 = x < 4.0f ? g3x : closed3;
+  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
+      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
+      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
+      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
+      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
+      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
+      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
+      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
+      g1 = x < 1.0f ? g1x : closed1;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
+      g2 = x < 1.0f ? g2x : closed2;
+  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
+      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
+      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
+      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
+      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
+      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
+      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
+      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+      g3 = x < 4.0f ? g3x : closed3;
   const float late_x = x < 9.0f ? 1.0f : x;
-  const float rate2_rest_a = 2.0f * g2, rate2_rest = g1 - rate2_rest_a;
+  const float rate2_rest_a = KSL_MULF(2.0f, g2), rate2_rest = g1 - rate2_rest_a;
   const float closed_rate2 = rate2_rest / late_x;
-  const float rate3_rest_a = 3.0f * g3, rate3_rest = g2 - rate3_rest_a;
+  const float rate3_rest_a = KSL_MULF(3.0f, g3), rate3_rest = g2 - rate3_rest_a;
   const float closed_rate3 = rate3_rest / late_x;
-  const float rate2a = 8.527712e-29f * x, rate2b = 5.951031e-26f - rate2a, rate2c = x * rate2b,
-      rate2d = rate2c - 3.5458228e-23f, rate2e = x * rate2d, rate2f = rate2e + 1.7793582e-20f,
-      rate2g = x * rate2f, rate2h = rate2g - 7.398571e-18f, rate2i = x * rate2h,
-      rate2j = rate2i + 2.499073e-15f, rate2k = x * rate2j, rate2l = rate2k - 6.691268e-13f,
-      rate2m = x * rate2l, rate2n = rate2m + 1.3764895e-10f, rate2o = x * rate2n,
-      rate2p = rate2o - 2.0876756e-08f, rate2q = x * rate2p, rate2r = rate2q + 2.2045856e-06f,
-      rate2s = x * rate2r, rate2t = rate2s - 0.00014880953f, rate2u = x * rate2t,
-      rate2v = rate2u + 0.0055555557f, rate2w = x * rate2v, rate2x = rate2w - 0.083333336f,
+  const float rate2a = KSL_MULF(8.527712e-29f, x), rate2b = 5.951031e-26f - rate2a,
+      rate2c = KSL_MULF(x, rate2b), rate2d = rate2c - 3.5458228e-23f, rate2e = KSL_MULF(x, rate2d),
+      rate2f = rate2e + 1.7793582e-20f, rate2g = KSL_MULF(x, rate2f),
+      rate2h = rate2g - 7.398571e-18f, rate2i = KSL_MULF(x, rate2h),
+      rate2j = rate2i + 2.499073e-15f, rate2k = KSL_MULF(x, rate2j),
+      rate2l = rate2k - 6.691268e-13f, rate2m = KSL_MULF(x, rate2l),
+      rate2n = rate2m + 1.3764895e-10f, rate2o = KSL_MULF(x, rate2n),
+      rate2p = rate2o - 2.0876756e-08f, rate2q = KSL_MULF(x, rate2p),
+      rate2r = rate2q + 2.2045856e-06f, rate2s = KSL_MULF(x, rate2r),
+      rate2t = rate2s - 0.00014880953f, rate2u = KSL_MULF(x, rate2t),
+      rate2v = rate2u + 0.0055555557f, rate2w = KSL_MULF(x, rate2v), rate2x = rate2w - 0.083333336f,
       rate2 = x < 9.0f ? rate2x : closed_rate2;
-  const float rate3a = 2.9405903e-30f * x, rate3b = 2.2040857e-27f - rate3a, rate3c = x * rate3b,
-      rate3d = rate3c - 1.418329e-24f, rate3e = x * rate3d, rate3f = rate3e + 7.7363405e-22f,
-      rate3g = x * rate3f, rate3h = rate3g - 3.5231295e-19f, rate3i = x * rate3h,
-      rate3j = rate3i + 1.3153016e-16f, rate3k = x * rate3j, rate3l = rate3k - 3.93604e-14f,
-      rate3m = x * rate3l, rate3n = rate3m + 9.176596e-12f, rate3o = x * rate3n,
-      rate3p = rate3o - 1.6059044e-09f, rate3q = x * rate3p, rate3r = rate3q + 2.0041686e-07f,
-      rate3s = x * rate3r, rate3t = rate3s - 1.6534392e-05f, rate3u = x * rate3t,
-      rate3v = rate3u + 0.0007936508f, rate3w = x * rate3v, rate3x = rate3w - 0.016666668f,
+  const float rate3a = KSL_MULF(2.9405903e-30f, x), rate3b = 2.2040857e-27f - rate3a,
+      rate3c = KSL_MULF(x, rate3b), rate3d = rate3c - 1.418329e-24f, rate3e = KSL_MULF(x, rate3d),
+      rate3f = rate3e + 7.7363405e-22f, rate3g = KSL_MULF(x, rate3f),
+      rate3h = rate3g - 3.5231295e-19f, rate3i = KSL_MULF(x, rate3h),
+      rate3j = rate3i + 1.3153016e-16f, rate3k = KSL_MULF(x, rate3j),
+      rate3l = rate3k - 3.93604e-14f, rate3m = KSL_MULF(x, rate3l), rate3n = rate3m + 9.176596e-12f,
+      rate3o = KSL_MULF(x, rate3n), rate3p = rate3o - 1.6059044e-09f, rate3q = KSL_MULF(x, rate3p),
+      rate3r = rate3q + 2.0041686e-07f, rate3s = KSL_MULF(x, rate3r),
+      rate3t = rate3s - 1.6534392e-05f, rate3u = KSL_MULF(x, rate3t),
+      rate3v = rate3u + 0.0007936508f, rate3w = KSL_MULF(x, rate3v), rate3x = rate3w - 0.016666668f,
       rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = s->m3 * g3;
-  const float beta_v_1 = s->m4 * g3;
-  const float beta_v_2 = s->m5 * g3;
-  const float m_0 = s->m3 * beta_v_0;
-  const float m_1 = s->m4 * beta_v_1;
-  const float m_2 = s->m5 * beta_v_2;
-  const float m_3 = s->m4 * beta_v_0;
-  const float m_4 = s->m5 * beta_v_0;
-  const float m_5 = s->m5 * beta_v_1;
+  const float beta_v_0 = KSL_MULF(s->m3, g3);
+  const float beta_v_1 = KSL_MULF(s->m4, g3);
+  const float beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0);
+  const float m_1 = KSL_MULF(s->m4, beta_v_1);
+  const float m_2 = KSL_MULF(s->m5, beta_v_2);
+  const float m_3 = KSL_MULF(s->m4, beta_v_0);
+  const float m_4 = KSL_MULF(s->m5, beta_v_0);
+  const float m_5 = KSL_MULF(s->m5, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -14493,52 +15168,60 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = s->m3 * g2, alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = s->m4 * g2, alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = s->m5 * g2, alpha_v_2 = -alpha_v_2a;
+  const float alpha_v_0a = KSL_MULF(s->m3, g2), alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = KSL_MULF(s->m4, g2), alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = KSL_MULF(s->m5, g2), alpha_v_2 = -alpha_v_2a;
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
   const float J_5 = m_5 - alpha_v_0;
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
-  const float rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_turn = rate2 * rate_vw;
-  const float rate_bend_a = rate3 * rate_vw, rate_bend = -rate_bend_a;
-  const float rate_q_0a = s->m0 * g2, rate_q_0b = s->m3 * rate_turn,
+  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const float rate_turn = KSL_MULF(rate2, rate_vw);
+  const float rate_bend_a = KSL_MULF(rate3, rate_vw), rate_bend = -rate_bend_a;
+  const float rate_q_0a = KSL_MULF(s->m0, g2), rate_q_0b = KSL_MULF(s->m3, rate_turn),
       rate_q_0c = rate_q_0a + rate_q_0b, rate_q_0 = -rate_q_0c;
-  const float rate_q_1a = s->m1 * g2, rate_q_1b = s->m4 * rate_turn,
+  const float rate_q_1a = KSL_MULF(s->m1, g2), rate_q_1b = KSL_MULF(s->m4, rate_turn),
       rate_q_1c = rate_q_1a + rate_q_1b, rate_q_1 = -rate_q_1c;
-  const float rate_q_2a = s->m2 * g2, rate_q_2b = s->m5 * rate_turn,
+  const float rate_q_2a = KSL_MULF(s->m2, g2), rate_q_2b = KSL_MULF(s->m5, rate_turn),
       rate_q_2c = rate_q_2a + rate_q_2b, rate_q_2 = -rate_q_2c;
-  const float rate_beta_v_0a = s->m0 * g3, rate_beta_v_0 = -rate_beta_v_0a;
-  const float rate_beta_v_1a = s->m1 * g3, rate_beta_v_1 = -rate_beta_v_1a;
-  const float rate_beta_v_2a = s->m2 * g3, rate_beta_v_2 = -rate_beta_v_2a;
-  const float rate_bend_w_0a = s->m3 * rate_bend, rate_bend_w_0 = -rate_bend_w_0a;
-  const float rate_bend_w_1a = s->m4 * rate_bend, rate_bend_w_1 = -rate_bend_w_1a;
-  const float rate_bend_w_2a = s->m5 * rate_bend, rate_bend_w_2 = -rate_bend_w_2a;
-  const float rate_symmetric_0a = s->m4 * rate_bend_w_0, rate_symmetric_0b = s->m3 * rate_beta_v_1,
-      rate_symmetric_0c = s->m4 * rate_beta_v_0,
+  const float rate_beta_v_0a = KSL_MULF(s->m0, g3), rate_beta_v_0 = -rate_beta_v_0a;
+  const float rate_beta_v_1a = KSL_MULF(s->m1, g3), rate_beta_v_1 = -rate_beta_v_1a;
+  const float rate_beta_v_2a = KSL_MULF(s->m2, g3), rate_beta_v_2 = -rate_beta_v_2a;
+  const float rate_bend_w_0a = KSL_MULF(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
+  const float rate_bend_w_1a = KSL_MULF(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
+  const float rate_bend_w_2a = KSL_MULF(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
+  const float rate_symmetric_0a = KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_0b = KSL_MULF(s->m3, rate_beta_v_1),
+      rate_symmetric_0c = KSL_MULF(s->m4, rate_beta_v_0),
       rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
       rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const float rate_symmetric_1a = s->m5 * rate_bend_w_0, rate_symmetric_1b = s->m3 * rate_beta_v_2,
-      rate_symmetric_1c = s->m5 * rate_beta_v_0,
+  const float rate_symmetric_1a = KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_1b = KSL_MULF(s->m3, rate_beta_v_2),
+      rate_symmetric_1c = KSL_MULF(s->m5, rate_beta_v_0),
       rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
       rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const float rate_symmetric_2a = s->m5 * rate_bend_w_1, rate_symmetric_2b = s->m4 * rate_beta_v_2,
-      rate_symmetric_2c = s->m5 * rate_beta_v_1,
+  const float rate_symmetric_2a = KSL_MULF(s->m5, rate_bend_w_1),
+      rate_symmetric_2b = KSL_MULF(s->m4, rate_beta_v_2),
+      rate_symmetric_2c = KSL_MULF(s->m5, rate_beta_v_1),
       rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
       rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const float rate_diagonal_0a = 2.0f * s->m4, rate_diagonal_0b = rate_diagonal_0a * rate_beta_v_1,
-      rate_diagonal_0c = 2.0f * s->m5, rate_diagonal_0d = rate_diagonal_0c * rate_beta_v_2,
+  const float rate_diagonal_0a = KSL_MULF(2.0f, s->m4),
+      rate_diagonal_0b = KSL_MULF(rate_diagonal_0a, rate_beta_v_1),
+      rate_diagonal_0c = KSL_MULF(2.0f, s->m5),
+      rate_diagonal_0d = KSL_MULF(rate_diagonal_0c, rate_beta_v_2),
       rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
-      rate_diagonal_0f = s->m4 * rate_bend_w_1, rate_diagonal_0g = s->m5 * rate_bend_w_2,
+      rate_diagonal_0f = KSL_MULF(s->m4, rate_bend_w_1),
+      rate_diagonal_0g = KSL_MULF(s->m5, rate_bend_w_2),
       rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const float rate_diagonal_1a = 2.0f * s->m3, rate_diagonal_1b = rate_diagonal_1a * rate_beta_v_0,
+  const float rate_diagonal_1a = KSL_MULF(2.0f, s->m3),
+      rate_diagonal_1b = KSL_MULF(rate_diagonal_1a, rate_beta_v_0),
       rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
-      rate_diagonal_1d = s->m3 * rate_bend_w_0,
+      rate_diagonal_1d = KSL_MULF(s->m3, rate_bend_w_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
   const float rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
@@ -14605,52 +15288,55 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float sum_0 = s->m3 + high_0;
   const float sum_1 = s->m4 + high_1;
   const float sum_2 = s->m5 + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float half_cotangent_a = KSL_MULF(0.5f, theta),
+      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
-      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
-      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
-      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
-      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
-      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
-      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
-      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
-      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
+      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
+      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
+      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
+      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
+      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
+      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
+      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
+      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
+      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
+      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
       b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = s->m3 * b;
-  const float beta_v_1 = s->m4 * b;
-  const float beta_v_2 = s->m5 * b;
-  const float m_0 = s->m3 * beta_v_0;
-  const float m_1 = s->m4 * beta_v_1;
-  const float m_2 = s->m5 * beta_v_2;
-  const float m_3 = s->m4 * beta_v_0;
-  const float m_4 = s->m5 * beta_v_0;
-  const float m_5 = s->m5 * beta_v_1;
+  const float beta_v_0 = KSL_MULF(s->m3, b);
+  const float beta_v_1 = KSL_MULF(s->m4, b);
+  const float beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0);
+  const float m_1 = KSL_MULF(s->m4, beta_v_1);
+  const float m_2 = KSL_MULF(s->m5, beta_v_2);
+  const float m_3 = KSL_MULF(s->m4, beta_v_0);
+  const float m_4 = KSL_MULF(s->m5, beta_v_0);
+  const float m_5 = KSL_MULF(s->m5, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -14660,9 +15346,9 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = 0.5f * s->m3, alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = 0.5f * s->m4, alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = 0.5f * s->m5, alpha_v_2 = -alpha_v_2a;
+  const float alpha_v_0a = KSL_MULF(0.5f, s->m3), alpha_v_0 = -alpha_v_0a;
+  const float alpha_v_1a = KSL_MULF(0.5f, s->m4), alpha_v_1 = -alpha_v_1a;
+  const float alpha_v_2a = KSL_MULF(0.5f, s->m5), alpha_v_2 = -alpha_v_2a;
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
@@ -14670,60 +15356,69 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
   const float b_rate_across_a = 2.0f - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const float b_rate_square_a = cotangent * cotangent, b_rate_square_b = 0.25f * b_rate_square_a,
-      b_rate_square = 0.25f + b_rate_square_b;
+  const float b_rate_square_a = KSL_MULF(cotangent, cotangent),
+      b_rate_square_b = KSL_MULF(0.25f, b_rate_square_a), b_rate_square = 0.25f + b_rate_square_b;
   const float b_rate_rest = b_rate_square - b_rate_across;
   const float closed_b_rate = b_rate_rest / b_divisor;
-  const float b_rate_a = 3.3612244e-29f * x, b_rate_b = b_rate_a + 1.2532382e-27f,
-      b_rate_c = x * b_rate_b, b_rate_d = b_rate_c + 4.656552e-26f, b_rate_e = x * b_rate_d,
-      b_rate_f = b_rate_e + 1.7234372e-24f, b_rate_g = x * b_rate_f,
-      b_rate_h = b_rate_g + 6.350267e-23f, b_rate_i = x * b_rate_h,
-      b_rate_j = b_rate_i + 2.3279144e-21f, b_rate_k = x * b_rate_j,
-      b_rate_l = b_rate_k + 8.483297e-20f, b_rate_m = x * b_rate_l,
-      b_rate_n = b_rate_m + 3.0699822e-18f, b_rate_o = x * b_rate_n,
-      b_rate_p = b_rate_o + 1.10180054e-16f, b_rate_q = x * b_rate_p,
-      b_rate_r = b_rate_q + 3.9147635e-15f, b_rate_s = x * b_rate_r,
-      b_rate_t = b_rate_s + 1.37377e-13f, b_rate_u = x * b_rate_t,
-      b_rate_v = b_rate_u + 4.7455525e-12f, b_rate_w = x * b_rate_v,
-      b_rate_x = b_rate_w + 1.6059044e-10f, b_rate_y = x * b_rate_x,
-      b_rate_z = b_rate_y + 5.28419e-09f, b_rate_aa = x * b_rate_z,
-      b_rate_ab = b_rate_aa + 1.6701405e-07f, b_rate_ac = x * b_rate_ab,
-      b_rate_ad = b_rate_ac + 4.9603173e-06f, b_rate_ae = x * b_rate_ad,
-      b_rate_af = b_rate_ae + 0.00013227513f, b_rate_ag = x * b_rate_af,
-      b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
-  const float rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_bend_a = b_rate * rate_vw, rate_bend = -rate_bend_a;
-  const float rate_q_0a = 0.5f * s->m0, rate_q_0 = -rate_q_0a;
-  const float rate_q_1a = 0.5f * s->m1, rate_q_1 = -rate_q_1a;
-  const float rate_q_2a = 0.5f * s->m2, rate_q_2 = -rate_q_2a;
-  const float rate_beta_v_0 = s->m0 * b;
-  const float rate_beta_v_1 = s->m1 * b;
-  const float rate_beta_v_2 = s->m2 * b;
-  const float rate_bend_w_0 = s->m3 * rate_bend;
-  const float rate_bend_w_1 = s->m4 * rate_bend;
-  const float rate_bend_w_2 = s->m5 * rate_bend;
-  const float rate_symmetric_0a = s->m3 * rate_beta_v_1, rate_symmetric_0b = s->m4 * rate_beta_v_0,
+  const float b_rate_a = KSL_MULF(3.3612244e-29f, x), b_rate_b = b_rate_a + 1.2532382e-27f,
+      b_rate_c = KSL_MULF(x, b_rate_b), b_rate_d = b_rate_c + 4.656552e-26f,
+      b_rate_e = KSL_MULF(x, b_rate_d), b_rate_f = b_rate_e + 1.7234372e-24f,
+      b_rate_g = KSL_MULF(x, b_rate_f), b_rate_h = b_rate_g + 6.350267e-23f,
+      b_rate_i = KSL_MULF(x, b_rate_h), b_rate_j = b_rate_i + 2.3279144e-21f,
+      b_rate_k = KSL_MULF(x, b_rate_j), b_rate_l = b_rate_k + 8.483297e-20f,
+      b_rate_m = KSL_MULF(x, b_rate_l), b_rate_n = b_rate_m + 3.0699822e-18f,
+      b_rate_o = KSL_MULF(x, b_rate_n), b_rate_p = b_rate_o + 1.10180054e-16f,
+      b_rate_q = KSL_MULF(x, b_rate_p), b_rate_r = b_rate_q + 3.9147635e-15f,
+      b_rate_s = KSL_MULF(x, b_rate_r), b_rate_t = b_rate_s + 1.37377e-13f,
+      b_rate_u = KSL_MULF(x, b_rate_t), b_rate_v = b_rate_u + 4.7455525e-12f,
+      b_rate_w = KSL_MULF(x, b_rate_v), b_rate_x = b_rate_w + 1.6059044e-10f,
+      b_rate_y = KSL_MULF(x, b_rate_x), b_rate_z = b_rate_y + 5.28419e-09f,
+      b_rate_aa = KSL_MULF(x, b_rate_z), b_rate_ab = b_rate_aa + 1.6701405e-07f,
+      b_rate_ac = KSL_MULF(x, b_rate_ab), b_rate_ad = b_rate_ac + 4.9603173e-06f,
+      b_rate_ae = KSL_MULF(x, b_rate_ad), b_rate_af = b_rate_ae + 0.00013227513f,
+      b_rate_ag = KSL_MULF(x, b_rate_af), b_rate_ah = b_rate_ag + 0.0027777778f,
+      b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
+  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const float rate_bend_a = KSL_MULF(b_rate, rate_vw), rate_bend = -rate_bend_a;
+  const float rate_q_0a = KSL_MULF(0.5f, s->m0), rate_q_0 = -rate_q_0a;
+  const float rate_q_1a = KSL_MULF(0.5f, s->m1), rate_q_1 = -rate_q_1a;
+  const float rate_q_2a = KSL_MULF(0.5f, s->m2), rate_q_2 = -rate_q_2a;
+  const float rate_beta_v_0 = KSL_MULF(s->m0, b);
+  const float rate_beta_v_1 = KSL_MULF(s->m1, b);
+  const float rate_beta_v_2 = KSL_MULF(s->m2, b);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
+  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
+  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0a = KSL_MULF(s->m3, rate_beta_v_1),
+      rate_symmetric_0b = KSL_MULF(s->m4, rate_beta_v_0),
       rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = s->m4 * rate_bend_w_0,
+      rate_symmetric_0d = KSL_MULF(s->m4, rate_bend_w_0),
       rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const float rate_symmetric_1a = s->m3 * rate_beta_v_2, rate_symmetric_1b = s->m5 * rate_beta_v_0,
+  const float rate_symmetric_1a = KSL_MULF(s->m3, rate_beta_v_2),
+      rate_symmetric_1b = KSL_MULF(s->m5, rate_beta_v_0),
       rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = s->m5 * rate_bend_w_0,
+      rate_symmetric_1d = KSL_MULF(s->m5, rate_bend_w_0),
       rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const float rate_symmetric_2a = s->m4 * rate_beta_v_2, rate_symmetric_2b = s->m5 * rate_beta_v_1,
+  const float rate_symmetric_2a = KSL_MULF(s->m4, rate_beta_v_2),
+      rate_symmetric_2b = KSL_MULF(s->m5, rate_beta_v_1),
       rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = s->m5 * rate_bend_w_1,
+      rate_symmetric_2d = KSL_MULF(s->m5, rate_bend_w_1),
       rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
-  const float rate_diagonal_0a = s->m4 * rate_bend_w_1, rate_diagonal_0b = s->m5 * rate_bend_w_2,
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b, rate_diagonal_0d = 2.0f * s->m4,
-      rate_diagonal_0e = rate_diagonal_0d * rate_beta_v_1, rate_diagonal_0f = 2.0f * s->m5,
-      rate_diagonal_0g = rate_diagonal_0f * rate_beta_v_2,
+  const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
+      rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
+      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
+      rate_diagonal_0d = KSL_MULF(2.0f, s->m4),
+      rate_diagonal_0e = KSL_MULF(rate_diagonal_0d, rate_beta_v_1),
+      rate_diagonal_0f = KSL_MULF(2.0f, s->m5),
+      rate_diagonal_0g = KSL_MULF(rate_diagonal_0f, rate_beta_v_2),
       rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
-  const float rate_diagonal_1a = s->m3 * rate_bend_w_0,
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b, rate_diagonal_1c = 2.0f * s->m3,
-      rate_diagonal_1d = rate_diagonal_1c * rate_beta_v_0,
+  const float rate_diagonal_1a = KSL_MULF(s->m3, rate_bend_w_0),
+      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
+      rate_diagonal_1c = KSL_MULF(2.0f, s->m3),
+      rate_diagonal_1d = KSL_MULF(rate_diagonal_1c, rate_beta_v_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
   const float rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
@@ -14790,52 +15485,55 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float sum_0 = s->m3 + high_0;
   const float sum_1 = s->m4 + high_1;
   const float sum_2 = s->m5 + high_2;
-  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
-      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
       squares = squares_c + squares_d;
-  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
-      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = theta + 49152.0f;
   const float theta_high = theta_shifted - 49152.0f;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
-  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float delta_a = KSL_MULF(0.5f, residual), delta = delta_a / theta;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
-  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = 0.5f * theta, half_cotangent = half_cotangent_a * cotangent;
+  const float half_cotangent_a = KSL_MULF(0.5f, theta),
+      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = 1.4551725e-27f * x, b_b = b_a + 5.744791e-26f, b_c = x * b_b,
-      b_d = b_c + 2.2679524e-24f, b_e = x * b_d, b_f = b_e + 8.9535176e-23f, b_g = x * b_f,
-      b_h = b_g + 3.534707e-21f, b_i = x * b_h, b_j = b_i + 1.3954465e-19f, b_k = x * b_j,
-      b_l = b_k + 5.509003e-18f, b_m = x * b_l, b_n = b_m + 2.1748687e-16f, b_o = x * b_n,
-      b_p = b_o + 8.586062e-15f, b_q = x * b_p, b_r = b_q + 3.3896803e-13f, b_s = x * b_r,
-      b_t = b_s + 1.3382536e-11f, b_u = x * b_t, b_v = b_u + 5.2841903e-10f, b_w = x * b_v,
-      b_x = b_w + 2.0876756e-08f, b_y = x * b_x, b_z = b_y + 8.267196e-07f, b_aa = x * b_z,
-      b_ab = b_aa + 3.3068784e-05f, b_ac = x * b_ab, b_ad = b_ac + 0.0013888889f, b_ae = x * b_ad,
-      b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = x * b, b_across_b = 1.0f - b_across_a,
+  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
+      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
+      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
+      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
+      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
+      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
+      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
+      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
+      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
+      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
+      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
       b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = s->m3 * b;
-  const float beta_v_1 = s->m4 * b;
-  const float beta_v_2 = s->m5 * b;
-  const float m_0 = s->m3 * beta_v_0;
-  const float m_1 = s->m4 * beta_v_1;
-  const float m_2 = s->m5 * beta_v_2;
-  const float m_3 = s->m4 * beta_v_0;
-  const float m_4 = s->m5 * beta_v_0;
-  const float m_5 = s->m5 * beta_v_1;
+  const float beta_v_0 = KSL_MULF(s->m3, b);
+  const float beta_v_1 = KSL_MULF(s->m4, b);
+  const float beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0);
+  const float m_1 = KSL_MULF(s->m4, beta_v_1);
+  const float m_2 = KSL_MULF(s->m5, beta_v_2);
+  const float m_3 = KSL_MULF(s->m4, beta_v_0);
+  const float m_4 = KSL_MULF(s->m5, beta_v_0);
+  const float m_5 = KSL_MULF(s->m5, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
@@ -14845,9 +15543,9 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = 0.5f * s->m3;
-  const float alpha_v_1 = 0.5f * s->m4;
-  const float alpha_v_2 = 0.5f * s->m5;
+  const float alpha_v_0 = KSL_MULF(0.5f, s->m3);
+  const float alpha_v_1 = KSL_MULF(0.5f, s->m4);
+  const float alpha_v_2 = KSL_MULF(0.5f, s->m5);
   const float J_1 = m_3 - alpha_v_2;
   const float J_2 = m_4 + alpha_v_1;
   const float J_3 = m_3 + alpha_v_2;
@@ -14855,60 +15553,69 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float J_6 = m_4 - alpha_v_1;
   const float J_7 = m_5 + alpha_v_0;
   const float b_rate_across_a = 2.0f - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const float b_rate_square_a = cotangent * cotangent, b_rate_square_b = 0.25f * b_rate_square_a,
-      b_rate_square = 0.25f + b_rate_square_b;
+  const float b_rate_square_a = KSL_MULF(cotangent, cotangent),
+      b_rate_square_b = KSL_MULF(0.25f, b_rate_square_a), b_rate_square = 0.25f + b_rate_square_b;
   const float b_rate_rest = b_rate_square - b_rate_across;
   const float closed_b_rate = b_rate_rest / b_divisor;
-  const float b_rate_a = 3.3612244e-29f * x, b_rate_b = b_rate_a + 1.2532382e-27f,
-      b_rate_c = x * b_rate_b, b_rate_d = b_rate_c + 4.656552e-26f, b_rate_e = x * b_rate_d,
-      b_rate_f = b_rate_e + 1.7234372e-24f, b_rate_g = x * b_rate_f,
-      b_rate_h = b_rate_g + 6.350267e-23f, b_rate_i = x * b_rate_h,
-      b_rate_j = b_rate_i + 2.3279144e-21f, b_rate_k = x * b_rate_j,
-      b_rate_l = b_rate_k + 8.483297e-20f, b_rate_m = x * b_rate_l,
-      b_rate_n = b_rate_m + 3.0699822e-18f, b_rate_o = x * b_rate_n,
-      b_rate_p = b_rate_o + 1.10180054e-16f, b_rate_q = x * b_rate_p,
-      b_rate_r = b_rate_q + 3.9147635e-15f, b_rate_s = x * b_rate_r,
-      b_rate_t = b_rate_s + 1.37377e-13f, b_rate_u = x * b_rate_t,
-      b_rate_v = b_rate_u + 4.7455525e-12f, b_rate_w = x * b_rate_v,
-      b_rate_x = b_rate_w + 1.6059044e-10f, b_rate_y = x * b_rate_x,
-      b_rate_z = b_rate_y + 5.28419e-09f, b_rate_aa = x * b_rate_z,
-      b_rate_ab = b_rate_aa + 1.6701405e-07f, b_rate_ac = x * b_rate_ab,
-      b_rate_ad = b_rate_ac + 4.9603173e-06f, b_rate_ae = x * b_rate_ad,
-      b_rate_af = b_rate_ae + 0.00013227513f, b_rate_ag = x * b_rate_af,
-      b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
-  const float rate_vw_a = s->m0 * s->m3, rate_vw_b = s->m1 * s->m4,
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = s->m2 * s->m5, rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_bend_a = b_rate * rate_vw, rate_bend = -rate_bend_a;
-  const float rate_q_0 = 0.5f * s->m0;
-  const float rate_q_1 = 0.5f * s->m1;
-  const float rate_q_2 = 0.5f * s->m2;
-  const float rate_beta_v_0a = s->m0 * b, rate_beta_v_0 = -rate_beta_v_0a;
-  const float rate_beta_v_1a = s->m1 * b, rate_beta_v_1 = -rate_beta_v_1a;
-  const float rate_beta_v_2a = s->m2 * b, rate_beta_v_2 = -rate_beta_v_2a;
-  const float rate_bend_w_0a = s->m3 * rate_bend, rate_bend_w_0 = -rate_bend_w_0a;
-  const float rate_bend_w_1a = s->m4 * rate_bend, rate_bend_w_1 = -rate_bend_w_1a;
-  const float rate_bend_w_2a = s->m5 * rate_bend, rate_bend_w_2 = -rate_bend_w_2a;
-  const float rate_symmetric_0a = s->m4 * rate_bend_w_0, rate_symmetric_0b = s->m3 * rate_beta_v_1,
-      rate_symmetric_0c = s->m4 * rate_beta_v_0,
+  const float b_rate_a = KSL_MULF(3.3612244e-29f, x), b_rate_b = b_rate_a + 1.2532382e-27f,
+      b_rate_c = KSL_MULF(x, b_rate_b), b_rate_d = b_rate_c + 4.656552e-26f,
+      b_rate_e = KSL_MULF(x, b_rate_d), b_rate_f = b_rate_e + 1.7234372e-24f,
+      b_rate_g = KSL_MULF(x, b_rate_f), b_rate_h = b_rate_g + 6.350267e-23f,
+      b_rate_i = KSL_MULF(x, b_rate_h), b_rate_j = b_rate_i + 2.3279144e-21f,
+      b_rate_k = KSL_MULF(x, b_rate_j), b_rate_l = b_rate_k + 8.483297e-20f,
+      b_rate_m = KSL_MULF(x, b_rate_l), b_rate_n = b_rate_m + 3.0699822e-18f,
+      b_rate_o = KSL_MULF(x, b_rate_n), b_rate_p = b_rate_o + 1.10180054e-16f,
+      b_rate_q = KSL_MULF(x, b_rate_p), b_rate_r = b_rate_q + 3.9147635e-15f,
+      b_rate_s = KSL_MULF(x, b_rate_r), b_rate_t = b_rate_s + 1.37377e-13f,
+      b_rate_u = KSL_MULF(x, b_rate_t), b_rate_v = b_rate_u + 4.7455525e-12f,
+      b_rate_w = KSL_MULF(x, b_rate_v), b_rate_x = b_rate_w + 1.6059044e-10f,
+      b_rate_y = KSL_MULF(x, b_rate_x), b_rate_z = b_rate_y + 5.28419e-09f,
+      b_rate_aa = KSL_MULF(x, b_rate_z), b_rate_ab = b_rate_aa + 1.6701405e-07f,
+      b_rate_ac = KSL_MULF(x, b_rate_ab), b_rate_ad = b_rate_ac + 4.9603173e-06f,
+      b_rate_ae = KSL_MULF(x, b_rate_ad), b_rate_af = b_rate_ae + 0.00013227513f,
+      b_rate_ag = KSL_MULF(x, b_rate_af), b_rate_ah = b_rate_ag + 0.0027777778f,
+      b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
+  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
+      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
+      rate_vw = rate_vw_c + rate_vw_d;
+  const float rate_bend_a = KSL_MULF(b_rate, rate_vw), rate_bend = -rate_bend_a;
+  const float rate_q_0 = KSL_MULF(0.5f, s->m0);
+  const float rate_q_1 = KSL_MULF(0.5f, s->m1);
+  const float rate_q_2 = KSL_MULF(0.5f, s->m2);
+  const float rate_beta_v_0a = KSL_MULF(s->m0, b), rate_beta_v_0 = -rate_beta_v_0a;
+  const float rate_beta_v_1a = KSL_MULF(s->m1, b), rate_beta_v_1 = -rate_beta_v_1a;
+  const float rate_beta_v_2a = KSL_MULF(s->m2, b), rate_beta_v_2 = -rate_beta_v_2a;
+  const float rate_bend_w_0a = KSL_MULF(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
+  const float rate_bend_w_1a = KSL_MULF(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
+  const float rate_bend_w_2a = KSL_MULF(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
+  const float rate_symmetric_0a = KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_0b = KSL_MULF(s->m3, rate_beta_v_1),
+      rate_symmetric_0c = KSL_MULF(s->m4, rate_beta_v_0),
       rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
       rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const float rate_symmetric_1a = s->m5 * rate_bend_w_0, rate_symmetric_1b = s->m3 * rate_beta_v_2,
-      rate_symmetric_1c = s->m5 * rate_beta_v_0,
+  const float rate_symmetric_1a = KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_1b = KSL_MULF(s->m3, rate_beta_v_2),
+      rate_symmetric_1c = KSL_MULF(s->m5, rate_beta_v_0),
       rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
       rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const float rate_symmetric_2a = s->m5 * rate_bend_w_1, rate_symmetric_2b = s->m4 * rate_beta_v_2,
-      rate_symmetric_2c = s->m5 * rate_beta_v_1,
+  const float rate_symmetric_2a = KSL_MULF(s->m5, rate_bend_w_1),
+      rate_symmetric_2b = KSL_MULF(s->m4, rate_beta_v_2),
+      rate_symmetric_2c = KSL_MULF(s->m5, rate_beta_v_1),
       rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
       rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const float rate_diagonal_0a = 2.0f * s->m4, rate_diagonal_0b = rate_diagonal_0a * rate_beta_v_1,
-      rate_diagonal_0c = 2.0f * s->m5, rate_diagonal_0d = rate_diagonal_0c * rate_beta_v_2,
+  const float rate_diagonal_0a = KSL_MULF(2.0f, s->m4),
+      rate_diagonal_0b = KSL_MULF(rate_diagonal_0a, rate_beta_v_1),
+      rate_diagonal_0c = KSL_MULF(2.0f, s->m5),
+      rate_diagonal_0d = KSL_MULF(rate_diagonal_0c, rate_beta_v_2),
       rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
-      rate_diagonal_0f = s->m4 * rate_bend_w_1, rate_diagonal_0g = s->m5 * rate_bend_w_2,
+      rate_diagonal_0f = KSL_MULF(s->m4, rate_bend_w_1),
+      rate_diagonal_0g = KSL_MULF(s->m5, rate_bend_w_2),
       rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
       rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const float rate_diagonal_1a = 2.0f * s->m3, rate_diagonal_1b = rate_diagonal_1a * rate_beta_v_0,
+  const float rate_diagonal_1a = KSL_MULF(2.0f, s->m3),
+      rate_diagonal_1b = KSL_MULF(rate_diagonal_1a, rate_beta_v_0),
       rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
-      rate_diagonal_1d = s->m3 * rate_bend_w_0,
+      rate_diagonal_1d = KSL_MULF(s->m3, rate_bend_w_0),
       rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
       rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
   const float rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
@@ -14968,41 +15675,41 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float apart_0 = D2->m03 - D1->m03;
   const float apart_1 = D2->m13 - D1->m13;
   const float apart_2 = D2->m23 - D1->m23;
-  const float between_0a = D1->m00 * D2->m00, between_0b = D1->m10 * D2->m10,
-      between_0c = between_0a + between_0b, between_0d = D1->m20 * D2->m20,
+  const float between_0a = KSL_MULF(D1->m00, D2->m00), between_0b = KSL_MULF(D1->m10, D2->m10),
+      between_0c = between_0a + between_0b, between_0d = KSL_MULF(D1->m20, D2->m20),
       between_0 = between_0c + between_0d;
-  const float between_1a = D1->m00 * D2->m01, between_1b = D1->m10 * D2->m11,
-      between_1c = between_1a + between_1b, between_1d = D1->m20 * D2->m21,
+  const float between_1a = KSL_MULF(D1->m00, D2->m01), between_1b = KSL_MULF(D1->m10, D2->m11),
+      between_1c = between_1a + between_1b, between_1d = KSL_MULF(D1->m20, D2->m21),
       between_1 = between_1c + between_1d;
-  const float between_2a = D1->m00 * D2->m02, between_2b = D1->m10 * D2->m12,
-      between_2c = between_2a + between_2b, between_2d = D1->m20 * D2->m22,
+  const float between_2a = KSL_MULF(D1->m00, D2->m02), between_2b = KSL_MULF(D1->m10, D2->m12),
+      between_2c = between_2a + between_2b, between_2d = KSL_MULF(D1->m20, D2->m22),
       between_2 = between_2c + between_2d;
-  const float between_3a = D1->m00 * apart_0, between_3b = D1->m10 * apart_1,
-      between_3c = between_3a + between_3b, between_3d = D1->m20 * apart_2,
+  const float between_3a = KSL_MULF(D1->m00, apart_0), between_3b = KSL_MULF(D1->m10, apart_1),
+      between_3c = between_3a + between_3b, between_3d = KSL_MULF(D1->m20, apart_2),
       between_3 = between_3c + between_3d;
-  const float between_4a = D1->m01 * D2->m00, between_4b = D1->m11 * D2->m10,
-      between_4c = between_4a + between_4b, between_4d = D1->m21 * D2->m20,
+  const float between_4a = KSL_MULF(D1->m01, D2->m00), between_4b = KSL_MULF(D1->m11, D2->m10),
+      between_4c = between_4a + between_4b, between_4d = KSL_MULF(D1->m21, D2->m20),
       between_4 = between_4c + between_4d;
-  const float between_5a = D1->m01 * D2->m01, between_5b = D1->m11 * D2->m11,
-      between_5c = between_5a + between_5b, between_5d = D1->m21 * D2->m21,
+  const float between_5a = KSL_MULF(D1->m01, D2->m01), between_5b = KSL_MULF(D1->m11, D2->m11),
+      between_5c = between_5a + between_5b, between_5d = KSL_MULF(D1->m21, D2->m21),
       between_5 = between_5c + between_5d;
-  const float between_6a = D1->m01 * D2->m02, between_6b = D1->m11 * D2->m12,
-      between_6c = between_6a + between_6b, between_6d = D1->m21 * D2->m22,
+  const float between_6a = KSL_MULF(D1->m01, D2->m02), between_6b = KSL_MULF(D1->m11, D2->m12),
+      between_6c = between_6a + between_6b, between_6d = KSL_MULF(D1->m21, D2->m22),
       between_6 = between_6c + between_6d;
-  const float between_7a = D1->m01 * apart_0, between_7b = D1->m11 * apart_1,
-      between_7c = between_7a + between_7b, between_7d = D1->m21 * apart_2,
+  const float between_7a = KSL_MULF(D1->m01, apart_0), between_7b = KSL_MULF(D1->m11, apart_1),
+      between_7c = between_7a + between_7b, between_7d = KSL_MULF(D1->m21, apart_2),
       between_7 = between_7c + between_7d;
-  const float between_8a = D1->m02 * D2->m00, between_8b = D1->m12 * D2->m10,
-      between_8c = between_8a + between_8b, between_8d = D1->m22 * D2->m20,
+  const float between_8a = KSL_MULF(D1->m02, D2->m00), between_8b = KSL_MULF(D1->m12, D2->m10),
+      between_8c = between_8a + between_8b, between_8d = KSL_MULF(D1->m22, D2->m20),
       between_8 = between_8c + between_8d;
-  const float between_9a = D1->m02 * D2->m01, between_9b = D1->m12 * D2->m11,
-      between_9c = between_9a + between_9b, between_9d = D1->m22 * D2->m21,
+  const float between_9a = KSL_MULF(D1->m02, D2->m01), between_9b = KSL_MULF(D1->m12, D2->m11),
+      between_9c = between_9a + between_9b, between_9d = KSL_MULF(D1->m22, D2->m21),
       between_9 = between_9c + between_9d;
-  const float between_10a = D1->m02 * D2->m02, between_10b = D1->m12 * D2->m12,
-      between_10c = between_10a + between_10b, between_10d = D1->m22 * D2->m22,
+  const float between_10a = KSL_MULF(D1->m02, D2->m02), between_10b = KSL_MULF(D1->m12, D2->m12),
+      between_10c = between_10a + between_10b, between_10d = KSL_MULF(D1->m22, D2->m22),
       between_10 = between_10c + between_10d;
-  const float between_11a = D1->m02 * apart_0, between_11b = D1->m12 * apart_1,
-      between_11c = between_11a + between_11b, between_11d = D1->m22 * apart_2,
+  const float between_11a = KSL_MULF(D1->m02, apart_0), between_11b = KSL_MULF(D1->m12, apart_1),
+      between_11c = between_11a + between_11b, between_11d = KSL_MULF(D1->m22, apart_2),
       between_11 = between_11c + between_11d;
   const float log_p_0 = between_9 - between_6;
   const float log_p_1 = between_2 - between_8;
@@ -15045,76 +15752,78 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
       log_v_s = log_v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : log_v_s_b;
-  const float log_v_y_0 = log_upper_0 * log_v_s;
-  const float log_v_y_1 = log_upper_1 * log_v_s;
-  const float log_v_y_2 = log_upper_2 * log_v_s;
-  const float log_v_n_a = log_v_y_0 * log_v_y_0, log_v_n_b = log_v_y_1 * log_v_y_1,
-      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
-      log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrtf(log_v_n_e);
+  const float log_v_y_0 = KSL_MULF(log_upper_0, log_v_s);
+  const float log_v_y_1 = KSL_MULF(log_upper_1, log_v_s);
+  const float log_v_y_2 = KSL_MULF(log_upper_2, log_v_s);
+  const float log_v_n_a = KSL_MULF(log_v_y_0, log_v_y_0),
+      log_v_n_b = KSL_MULF(log_v_y_1, log_v_y_1), log_v_n_c = log_v_n_a + log_v_n_b,
+      log_v_n_d = KSL_MULF(log_v_y_2, log_v_y_2), log_v_n_e = log_v_n_c + log_v_n_d,
+      log_v_n = sqrtf(log_v_n_e);
   const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
       log_v_r = 1.0f < log_v_s ? 7.888609e-31f : log_v_r_b;
-  const float log_n = log_v_n * log_v_r;
+  const float log_n = KSL_MULF(log_v_n, log_v_r);
   const float log_half = atan2f(log_n, log_upper_3);
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
-  const float log_theta = 2.0f * log_half;
+  const float log_theta = KSL_MULF(2.0f, log_half);
   const float log_k = log_theta / log_divisor;
-  const float log_vector_0 = log_upper_0 * log_k;
-  const float log_vector_1 = log_upper_1 * log_k;
-  const float log_vector_2 = log_upper_2 * log_k;
-  const float log_x = log_theta * log_theta;
+  const float log_vector_0 = KSL_MULF(log_upper_0, log_k);
+  const float log_vector_1 = KSL_MULF(log_upper_1, log_k);
+  const float log_vector_2 = KSL_MULF(log_upper_2, log_k);
+  const float log_x = KSL_MULF(log_theta, log_theta);
   const float log_far_sine = log_x < 1.0f ? 1.0f : log_n;
   const float log_cotangent = log_upper_3 / log_far_sine;
-  const float log_half_cotangent_a = 0.5f * log_theta,
-      log_half_cotangent = log_half_cotangent_a * log_cotangent;
+  const float log_half_cotangent_a = KSL_MULF(0.5f, log_theta),
+      log_half_cotangent = KSL_MULF(log_half_cotangent_a, log_cotangent);
   const float log_b_rest = 1.0f - log_half_cotangent;
   const float log_b_divisor = log_x < 4.0f ? 4.0f : log_x;
   const float log_closed_b = log_b_rest / log_b_divisor;
-  const float log_b_a = 1.4551725e-27f * log_x, log_b_b = log_b_a + 5.744791e-26f,
-      log_b_c = log_x * log_b_b, log_b_d = log_b_c + 2.2679524e-24f, log_b_e = log_x * log_b_d,
-      log_b_f = log_b_e + 8.9535176e-23f, log_b_g = log_x * log_b_f,
-      log_b_h = log_b_g + 3.534707e-21f, log_b_i = log_x * log_b_h,
-      log_b_j = log_b_i + 1.3954465e-19f, log_b_k = log_x * log_b_j,
-      log_b_l = log_b_k + 5.509003e-18f, log_b_m = log_x * log_b_l,
-      log_b_n = log_b_m + 2.1748687e-16f, log_b_o = log_x * log_b_n,
-      log_b_p = log_b_o + 8.586062e-15f, log_b_q = log_x * log_b_p,
-      log_b_r = log_b_q + 3.3896803e-13f, log_b_s = log_x * log_b_r,
-      log_b_t = log_b_s + 1.3382536e-11f, log_b_u = log_x * log_b_t,
-      log_b_v = log_b_u + 5.2841903e-10f, log_b_w = log_x * log_b_v,
-      log_b_x = log_b_w + 2.0876756e-08f, log_b_y = log_x * log_b_x,
-      log_b_z = log_b_y + 8.267196e-07f, log_b_aa = log_x * log_b_z,
-      log_b_ab = log_b_aa + 3.3068784e-05f, log_b_ac = log_x * log_b_ab,
-      log_b_ad = log_b_ac + 0.0013888889f, log_b_ae = log_x * log_b_ad,
-      log_b_af = log_b_ae + 0.083333336f, log_b = log_x < 4.0f ? log_b_af : log_closed_b;
-  const float log_b_across_a = log_x * log_b, log_b_across_b = 1.0f - log_b_across_a,
+  const float log_b_a = KSL_MULF(1.4551725e-27f, log_x), log_b_b = log_b_a + 5.744791e-26f,
+      log_b_c = KSL_MULF(log_x, log_b_b), log_b_d = log_b_c + 2.2679524e-24f,
+      log_b_e = KSL_MULF(log_x, log_b_d), log_b_f = log_b_e + 8.9535176e-23f,
+      log_b_g = KSL_MULF(log_x, log_b_f), log_b_h = log_b_g + 3.534707e-21f,
+      log_b_i = KSL_MULF(log_x, log_b_h), log_b_j = log_b_i + 1.3954465e-19f,
+      log_b_k = KSL_MULF(log_x, log_b_j), log_b_l = log_b_k + 5.509003e-18f,
+      log_b_m = KSL_MULF(log_x, log_b_l), log_b_n = log_b_m + 2.1748687e-16f,
+      log_b_o = KSL_MULF(log_x, log_b_n), log_b_p = log_b_o + 8.586062e-15f,
+      log_b_q = KSL_MULF(log_x, log_b_p), log_b_r = log_b_q + 3.3896803e-13f,
+      log_b_s = KSL_MULF(log_x, log_b_r), log_b_t = log_b_s + 1.3382536e-11f,
+      log_b_u = KSL_MULF(log_x, log_b_t), log_b_v = log_b_u + 5.2841903e-10f,
+      log_b_w = KSL_MULF(log_x, log_b_v), log_b_x = log_b_w + 2.0876756e-08f,
+      log_b_y = KSL_MULF(log_x, log_b_x), log_b_z = log_b_y + 8.267196e-07f,
+      log_b_aa = KSL_MULF(log_x, log_b_z), log_b_ab = log_b_aa + 3.3068784e-05f,
+      log_b_ac = KSL_MULF(log_x, log_b_ab), log_b_ad = log_b_ac + 0.0013888889f,
+      log_b_ae = KSL_MULF(log_x, log_b_ad), log_b_af = log_b_ae + 0.083333336f,
+      log_b = log_x < 4.0f ? log_b_af : log_closed_b;
+  const float log_b_across_a = KSL_MULF(log_x, log_b), log_b_across_b = 1.0f - log_b_across_a,
       log_b_across = log_x < 4.0f ? log_b_across_b : log_half_cotangent;
-  const float log_wt_a = between_3 * log_vector_0, log_wt_b = between_7 * log_vector_1,
-      log_wt_c = log_wt_a + log_wt_b, log_wt_d = between_11 * log_vector_2,
-      log_wt = log_wt_c + log_wt_d;
-  const float log_pitch = log_b * log_wt;
-  const float log_along_0 = log_vector_0 * log_pitch;
-  const float log_along_1 = log_vector_1 * log_pitch;
-  const float log_along_2 = log_vector_2 * log_pitch;
-  const float log_u_0a = between_11 * log_vector_1, log_u_0b = between_7 * log_vector_2,
-      log_u_0 = log_u_0a - log_u_0b;
-  const float log_u_1a = between_3 * log_vector_2, log_u_1b = between_11 * log_vector_0,
-      log_u_1 = log_u_1a - log_u_1b;
-  const float log_u_2a = between_7 * log_vector_0, log_u_2b = between_3 * log_vector_1,
-      log_u_2 = log_u_2a - log_u_2b;
-  const float log_turned_0 = 0.5f * log_u_0;
-  const float log_turned_1 = 0.5f * log_u_1;
-  const float log_turned_2 = 0.5f * log_u_2;
+  const float log_wt_a = KSL_MULF(between_3, log_vector_0),
+      log_wt_b = KSL_MULF(between_7, log_vector_1), log_wt_c = log_wt_a + log_wt_b,
+      log_wt_d = KSL_MULF(between_11, log_vector_2), log_wt = log_wt_c + log_wt_d;
+  const float log_pitch = KSL_MULF(log_b, log_wt);
+  const float log_along_0 = KSL_MULF(log_vector_0, log_pitch);
+  const float log_along_1 = KSL_MULF(log_vector_1, log_pitch);
+  const float log_along_2 = KSL_MULF(log_vector_2, log_pitch);
+  const float log_u_0a = KSL_MULF(between_11, log_vector_1),
+      log_u_0b = KSL_MULF(between_7, log_vector_2), log_u_0 = log_u_0a - log_u_0b;
+  const float log_u_1a = KSL_MULF(between_3, log_vector_2),
+      log_u_1b = KSL_MULF(between_11, log_vector_0), log_u_1 = log_u_1a - log_u_1b;
+  const float log_u_2a = KSL_MULF(between_7, log_vector_0),
+      log_u_2b = KSL_MULF(between_3, log_vector_1), log_u_2 = log_u_2a - log_u_2b;
+  const float log_turned_0 = KSL_MULF(0.5f, log_u_0);
+  const float log_turned_1 = KSL_MULF(0.5f, log_u_1);
+  const float log_turned_2 = KSL_MULF(0.5f, log_u_2);
   const float log_across_axis_0 = log_along_0 - log_turned_0;
   const float log_across_axis_1 = log_along_1 - log_turned_1;
   const float log_across_axis_2 = log_along_2 - log_turned_2;
-  const float whole_0a = between_3 * log_b_across, whole_0 = whole_0a + log_across_axis_0;
-  const float whole_1a = between_7 * log_b_across, whole_1 = whole_1a + log_across_axis_1;
-  const float whole_2a = between_11 * log_b_across, whole_2 = whole_2a + log_across_axis_2;
-  const float screw_0 = k * whole_0;
-  const float screw_1 = k * whole_1;
-  const float screw_2 = k * whole_2;
-  const float screw_3 = k * log_vector_0;
-  const float screw_4 = k * log_vector_1;
-  const float screw_5 = k * log_vector_2;
+  const float whole_0a = KSL_MULF(between_3, log_b_across), whole_0 = whole_0a + log_across_axis_0;
+  const float whole_1a = KSL_MULF(between_7, log_b_across), whole_1 = whole_1a + log_across_axis_1;
+  const float whole_2a = KSL_MULF(between_11, log_b_across), whole_2 = whole_2a + log_across_axis_2;
+  const float screw_0 = KSL_MULF(k, whole_0);
+  const float screw_1 = KSL_MULF(k, whole_1);
+  const float screw_2 = KSL_MULF(k, whole_2);
+  const float screw_3 = KSL_MULF(k, log_vector_0);
+  const float screw_4 = KSL_MULF(k, log_vector_1);
+  const float screw_5 = KSL_MULF(k, log_vector_2);
   const float exp_shifted_0 = screw_3 + 49152.0f;
   const float exp_shifted_1 = screw_4 + 49152.0f;
   const float exp_shifted_2 = screw_5 + 49152.0f;
@@ -15127,28 +15836,32 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float exp_sum_0 = screw_3 + exp_high_0;
   const float exp_sum_1 = screw_4 + exp_high_1;
   const float exp_sum_2 = screw_5 + exp_high_2;
-  const float exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
-      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
-      exp_squares = exp_squares_c + exp_squares_d;
-  const float exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
-      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
-      exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_squares_a = KSL_MULF(exp_high_0, exp_high_0),
+      exp_squares_b = KSL_MULF(exp_high_1, exp_high_1),
+      exp_squares_c = exp_squares_a + exp_squares_b,
+      exp_squares_d = KSL_MULF(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
+  const float exp_cross_a = KSL_MULF(exp_low_0, exp_sum_0),
+      exp_cross_b = KSL_MULF(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
+      exp_cross_d = KSL_MULF(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
   const float exp_theta_shifted = exp_theta + 49152.0f;
   const float exp_theta_high = exp_theta_shifted - 49152.0f;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
-  const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+  const float exp_cross_rest_a = KSL_MULF(exp_theta_low, exp_theta_sum),
       exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const float exp_exact_a = KSL_MULF(exp_theta_high, exp_theta_high),
+      exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_delta_a = KSL_MULF(0.5f, exp_residual), exp_delta = exp_delta_a / exp_theta;
   const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
       exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
-  const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
-  const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
+      exp_sine = exp_sine_a + exp_far_sine;
+  const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),
+      exp_cosine = exp_far_cosine - exp_cosine_a;
   const float exp_far_x = exp_x < 1.0f ? 1.0f : exp_x;
   const float exp_middle_x = exp_x < 4.0f ? 4.0f : exp_x;
   const float exp_closed1 = exp_sine / exp_theta;
@@ -15156,68 +15869,72 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float exp_closed2 = exp_versine / exp_far_x;
   const float exp_rest3 = 1.0f - exp_closed1;
   const float exp_closed3 = exp_rest3 / exp_middle_x;
-  const float exp_g1a = 6.4469503e-26f * exp_x, exp_g1b = exp_g1a - 3.8681703e-23f,
-      exp_g1c = exp_x * exp_g1b, exp_g1d = exp_g1c + 1.9572942e-20f, exp_g1e = exp_x * exp_g1d,
-      exp_g1f = exp_g1e - 8.220635e-18f, exp_g1g = exp_x * exp_g1f,
-      exp_g1h = exp_g1g + 2.8114574e-15f, exp_g1i = exp_x * exp_g1h,
-      exp_g1j = exp_g1i - 7.6471636e-13f, exp_g1k = exp_x * exp_g1j,
-      exp_g1l = exp_g1k + 1.6059044e-10f, exp_g1m = exp_x * exp_g1l,
-      exp_g1n = exp_g1m - 2.5052108e-08f, exp_g1o = exp_x * exp_g1n,
-      exp_g1p = exp_g1o + 2.7557319e-06f, exp_g1q = exp_x * exp_g1p,
-      exp_g1r = exp_g1q - 0.0001984127f, exp_g1s = exp_x * exp_g1r,
-      exp_g1t = exp_g1s + 0.008333334f, exp_g1u = exp_x * exp_g1t, exp_g1v = exp_g1u - 0.16666667f,
-      exp_g1w = exp_x * exp_g1v, exp_g1x = exp_g1w + 1.0f,
+  const float exp_g1a = KSL_MULF(6.4469503e-26f, exp_x), exp_g1b = exp_g1a - 3.8681703e-23f,
+      exp_g1c = KSL_MULF(exp_x, exp_g1b), exp_g1d = exp_g1c + 1.9572942e-20f,
+      exp_g1e = KSL_MULF(exp_x, exp_g1d), exp_g1f = exp_g1e - 8.220635e-18f,
+      exp_g1g = KSL_MULF(exp_x, exp_g1f), exp_g1h = exp_g1g + 2.8114574e-15f,
+      exp_g1i = KSL_MULF(exp_x, exp_g1h), exp_g1j = exp_g1i - 7.6471636e-13f,
+      exp_g1k = KSL_MULF(exp_x, exp_g1j), exp_g1l = exp_g1k + 1.6059044e-10f,
+      exp_g1m = KSL_MULF(exp_x, exp_g1l), exp_g1n = exp_g1m - 2.5052108e-08f,
+      exp_g1o = KSL_MULF(exp_x, exp_g1n), exp_g1p = exp_g1o + 2.7557319e-06f,
+      exp_g1q = KSL_MULF(exp_x, exp_g1p), exp_g1r = exp_g1q - 0.0001984127f,
+      exp_g1s = KSL_MULF(exp_x, exp_g1r), exp_g1t = exp_g1s + 0.008333334f,
+      exp_g1u = KSL_MULF(exp_x, exp_g1t), exp_g1v = exp_g1u - 0.16666667f,
+      exp_g1w = KSL_MULF(exp_x, exp_g1v), exp_g1x = exp_g1w + 1.0f,
       exp_g1 = exp_x < 1.0f ? exp_g1x : exp_closed1;
-  const float exp_g2a = 2.4795963e-27f * exp_x, exp_g2b = exp_g2a - 1.6117376e-24f,
-      exp_g2c = exp_x * exp_g2b, exp_g2d = exp_g2c + 8.896791e-22f, exp_g2e = exp_x * exp_g2d,
-      exp_g2f = exp_g2e - 4.1103176e-19f, exp_g2g = exp_x * exp_g2f,
-      exp_g2h = exp_g2g + 1.5619207e-16f, exp_g2i = exp_x * exp_g2h,
-      exp_g2j = exp_g2i - 4.7794773e-14f, exp_g2k = exp_x * exp_g2j,
-      exp_g2l = exp_g2k + 1.1470745e-11f, exp_g2m = exp_x * exp_g2l,
-      exp_g2n = exp_g2m - 2.0876756e-09f, exp_g2o = exp_x * exp_g2n,
-      exp_g2p = exp_g2o + 2.755732e-07f, exp_g2q = exp_x * exp_g2p,
-      exp_g2r = exp_g2q - 2.4801588e-05f, exp_g2s = exp_x * exp_g2r,
-      exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
-      exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2x = exp_g2w + 0.5f,
+  const float exp_g2a = KSL_MULF(2.4795963e-27f, exp_x), exp_g2b = exp_g2a - 1.6117376e-24f,
+      exp_g2c = KSL_MULF(exp_x, exp_g2b), exp_g2d = exp_g2c + 8.896791e-22f,
+      exp_g2e = KSL_MULF(exp_x, exp_g2d), exp_g2f = exp_g2e - 4.1103176e-19f,
+      exp_g2g = KSL_MULF(exp_x, exp_g2f), exp_g2h = exp_g2g + 1.5619207e-16f,
+      exp_g2i = KSL_MULF(exp_x, exp_g2h), exp_g2j = exp_g2i - 4.7794773e-14f,
+      exp_g2k = KSL_MULF(exp_x, exp_g2j), exp_g2l = exp_g2k + 1.1470745e-11f,
+      exp_g2m = KSL_MULF(exp_x, exp_g2l), exp_g2n = exp_g2m - 2.0876756e-09f,
+      exp_g2o = KSL_MULF(exp_x, exp_g2n), exp_g2p = exp_g2o + 2.755732e-07f,
+      exp_g2q = KSL_MULF(exp_x, exp_g2p), exp_g2r = exp_g2q - 2.4801588e-05f,
+      exp_g2s = KSL_MULF(exp_x, exp_g2r), exp_g2t = exp_g2s + 0.0013888889f,
+      exp_g2u = KSL_MULF(exp_x, exp_g2t), exp_g2v = exp_g2u - 0.041666668f,
+      exp_g2w = KSL_MULF(exp_x, exp_g2v), exp_g2x = exp_g2w + 0.5f,
       exp_g2 = exp_x < 1.0f ? exp_g2x : exp_closed2;
-  const float exp_g3a = 9.18369e-29f * exp_x, exp_g3b = exp_g3a - 6.4469503e-26f,
-      exp_g3c = exp_x * exp_g3b, exp_g3d = exp_g3c + 3.8681703e-23f, exp_g3e = exp_x * exp_g3d,
-      exp_g3f = exp_g3e - 1.9572942e-20f, exp_g3g = exp_x * exp_g3f,
-      exp_g3h = exp_g3g + 8.220635e-18f, exp_g3i = exp_x * exp_g3h,
-      exp_g3j = exp_g3i - 2.8114574e-15f, exp_g3k = exp_x * exp_g3j,
-      exp_g3l = exp_g3k + 7.6471636e-13f, exp_g3m = exp_x * exp_g3l,
-      exp_g3n = exp_g3m - 1.6059044e-10f, exp_g3o = exp_x * exp_g3n,
-      exp_g3p = exp_g3o + 2.5052108e-08f, exp_g3q = exp_x * exp_g3p,
-      exp_g3r = exp_g3q - 2.7557319e-06f, exp_g3s = exp_x * exp_g3r,
-      exp_g3t = exp_g3s + 0.0001984127f, exp_g3u = exp_x * exp_g3t,
-      exp_g3v = exp_g3u - 0.008333334f, exp_g3w = exp_x * exp_g3v, exp_g3x = exp_g3w + 0.16666667f,
+  const float exp_g3a = KSL_MULF(9.18369e-29f, exp_x), exp_g3b = exp_g3a - 6.4469503e-26f,
+      exp_g3c = KSL_MULF(exp_x, exp_g3b), exp_g3d = exp_g3c + 3.8681703e-23f,
+      exp_g3e = KSL_MULF(exp_x, exp_g3d), exp_g3f = exp_g3e - 1.9572942e-20f,
+      exp_g3g = KSL_MULF(exp_x, exp_g3f), exp_g3h = exp_g3g + 8.220635e-18f,
+      exp_g3i = KSL_MULF(exp_x, exp_g3h), exp_g3j = exp_g3i - 2.8114574e-15f,
+      exp_g3k = KSL_MULF(exp_x, exp_g3j), exp_g3l = exp_g3k + 7.6471636e-13f,
+      exp_g3m = KSL_MULF(exp_x, exp_g3l), exp_g3n = exp_g3m - 1.6059044e-10f,
+      exp_g3o = KSL_MULF(exp_x, exp_g3n), exp_g3p = exp_g3o + 2.5052108e-08f,
+      exp_g3q = KSL_MULF(exp_x, exp_g3p), exp_g3r = exp_g3q - 2.7557319e-06f,
+      exp_g3s = KSL_MULF(exp_x, exp_g3r), exp_g3t = exp_g3s + 0.0001984127f,
+      exp_g3u = KSL_MULF(exp_x, exp_g3t), exp_g3v = exp_g3u - 0.008333334f,
+      exp_g3w = KSL_MULF(exp_x, exp_g3v), exp_g3x = exp_g3w + 0.16666667f,
       exp_g3 = exp_x < 4.0f ? exp_g3x : exp_closed3;
-  const float exp_g0a = exp_x * exp_g2, exp_g0b = 1.0f - exp_g0a,
+  const float exp_g0a = KSL_MULF(exp_x, exp_g2), exp_g0b = 1.0f - exp_g0a,
       exp_g0 = exp_x < 1.0f ? exp_g0b : exp_cosine;
-  const float exp_u_0a = screw_2 * screw_4, exp_u_0b = screw_1 * screw_5,
+  const float exp_u_0a = KSL_MULF(screw_2, screw_4), exp_u_0b = KSL_MULF(screw_1, screw_5),
       exp_u_0 = exp_u_0a - exp_u_0b;
-  const float exp_u_1a = screw_0 * screw_5, exp_u_1b = screw_2 * screw_3,
+  const float exp_u_1a = KSL_MULF(screw_0, screw_5), exp_u_1b = KSL_MULF(screw_2, screw_3),
       exp_u_1 = exp_u_1a - exp_u_1b;
-  const float exp_u_2a = screw_1 * screw_3, exp_u_2b = screw_0 * screw_4,
+  const float exp_u_2a = KSL_MULF(screw_1, screw_3), exp_u_2b = KSL_MULF(screw_0, screw_4),
       exp_u_2 = exp_u_2a - exp_u_2b;
-  const float exp_turned_0 = exp_g2 * exp_u_0;
-  const float exp_turned_1 = exp_g2 * exp_u_1;
-  const float exp_turned_2 = exp_g2 * exp_u_2;
-  const float exp_wv_a = screw_0 * screw_3, exp_wv_b = screw_1 * screw_4,
-      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = screw_2 * screw_5, exp_wv = exp_wv_c + exp_wv_d;
-  const float exp_pitch = exp_g3 * exp_wv;
-  const float exp_along_0 = screw_3 * exp_pitch;
-  const float exp_along_1 = screw_4 * exp_pitch;
-  const float exp_along_2 = screw_5 * exp_pitch;
-  const float exp_beta_v_0 = screw_3 * exp_g2;
-  const float exp_beta_v_1 = screw_4 * exp_g2;
-  const float exp_beta_v_2 = screw_5 * exp_g2;
-  const float exp_m_0 = screw_3 * exp_beta_v_0;
-  const float exp_m_1 = screw_4 * exp_beta_v_1;
-  const float exp_m_2 = screw_5 * exp_beta_v_2;
-  const float exp_m_3 = screw_4 * exp_beta_v_0;
-  const float exp_m_4 = screw_5 * exp_beta_v_0;
-  const float exp_m_5 = screw_5 * exp_beta_v_1;
+  const float exp_turned_0 = KSL_MULF(exp_g2, exp_u_0);
+  const float exp_turned_1 = KSL_MULF(exp_g2, exp_u_1);
+  const float exp_turned_2 = KSL_MULF(exp_g2, exp_u_2);
+  const float exp_wv_a = KSL_MULF(screw_0, screw_3), exp_wv_b = KSL_MULF(screw_1, screw_4),
+      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = KSL_MULF(screw_2, screw_5),
+      exp_wv = exp_wv_c + exp_wv_d;
+  const float exp_pitch = KSL_MULF(exp_g3, exp_wv);
+  const float exp_along_0 = KSL_MULF(screw_3, exp_pitch);
+  const float exp_along_1 = KSL_MULF(screw_4, exp_pitch);
+  const float exp_along_2 = KSL_MULF(screw_5, exp_pitch);
+  const float exp_beta_v_0 = KSL_MULF(screw_3, exp_g2);
+  const float exp_beta_v_1 = KSL_MULF(screw_4, exp_g2);
+  const float exp_beta_v_2 = KSL_MULF(screw_5, exp_g2);
+  const float exp_m_0 = KSL_MULF(screw_3, exp_beta_v_0);
+  const float exp_m_1 = KSL_MULF(screw_4, exp_beta_v_1);
+  const float exp_m_2 = KSL_MULF(screw_5, exp_beta_v_2);
+  const float exp_m_3 = KSL_MULF(screw_4, exp_beta_v_0);
+  const float exp_m_4 = KSL_MULF(screw_5, exp_beta_v_0);
+  const float exp_m_5 = KSL_MULF(screw_5, exp_beta_v_1);
   const float exp_others_0 = exp_m_1 + exp_m_2;
   const float exp_others_1 = exp_m_0 + exp_m_2;
   const float exp_others_2 = exp_m_0 + exp_m_1;
@@ -15227,45 +15944,48 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const float exp_diagonal2a = 1.0f - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const float exp_alpha_v_0 = screw_3 * exp_g1;
-  const float exp_alpha_v_1 = screw_4 * exp_g1;
-  const float exp_alpha_v_2 = screw_5 * exp_g1;
+  const float exp_alpha_v_0 = KSL_MULF(screw_3, exp_g1);
+  const float exp_alpha_v_1 = KSL_MULF(screw_4, exp_g1);
+  const float exp_alpha_v_2 = KSL_MULF(screw_5, exp_g1);
   const float exp_across_axis_0 = exp_turned_0 + exp_along_0;
   const float exp_across_axis_1 = exp_turned_1 + exp_along_1;
   const float exp_across_axis_2 = exp_turned_2 + exp_along_2;
   const float step_1 = exp_m_3 - exp_alpha_v_2;
   const float step_2 = exp_m_4 + exp_alpha_v_1;
-  const float step_3a = screw_0 * exp_g1, step_3 = step_3a + exp_across_axis_0;
+  const float step_3a = KSL_MULF(screw_0, exp_g1), step_3 = step_3a + exp_across_axis_0;
   const float step_4 = exp_m_3 + exp_alpha_v_2;
   const float step_6 = exp_m_5 - exp_alpha_v_0;
-  const float step_7a = screw_1 * exp_g1, step_7 = step_7a + exp_across_axis_1;
+  const float step_7a = KSL_MULF(screw_1, exp_g1), step_7 = step_7a + exp_across_axis_1;
   const float step_8 = exp_m_4 - exp_alpha_v_1;
   const float step_9 = exp_m_5 + exp_alpha_v_0;
-  const float step_11a = screw_2 * exp_g1, step_11 = step_11a + exp_across_axis_2;
-  const float Do_00a = D1->m00 * exp_diagonal0, Do_00b = D1->m01 * step_4,
-      Do_00c = D1->m02 * step_8, Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
-  const float Do_01a = D1->m00 * step_1, Do_01b = D1->m02 * step_9, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m01 * exp_diagonal1, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * step_2, Do_02b = D1->m01 * step_6, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * exp_diagonal2, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * step_3, Do_03b = D1->m01 * step_7, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * step_11, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * exp_diagonal0, Do_10b = D1->m11 * step_4,
-      Do_10c = D1->m12 * step_8, Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
-  const float Do_11a = D1->m10 * step_1, Do_11b = D1->m12 * step_9, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m11 * exp_diagonal1, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m10 * step_2, Do_12b = D1->m11 * step_6, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * exp_diagonal2, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m10 * step_3, Do_13b = D1->m11 * step_7, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * step_11, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * exp_diagonal0, Do_20b = D1->m21 * step_4,
-      Do_20c = D1->m22 * step_8, Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
-  const float Do_21a = D1->m20 * step_1, Do_21b = D1->m22 * step_9, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m21 * exp_diagonal1, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m20 * step_2, Do_22b = D1->m21 * step_6, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * exp_diagonal2, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m20 * step_3, Do_23b = D1->m21 * step_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * step_11, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const float step_11a = KSL_MULF(screw_2, exp_g1), step_11 = step_11a + exp_across_axis_2;
+  const float Do_00a = KSL_MULF(D1->m00, exp_diagonal0), Do_00b = KSL_MULF(D1->m01, step_4),
+      Do_00c = KSL_MULF(D1->m02, step_8), Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, step_1), Do_01b = KSL_MULF(D1->m02, step_9),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m01, exp_diagonal1), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, step_2), Do_02b = KSL_MULF(D1->m01, step_6),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, exp_diagonal2), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, step_3), Do_03b = KSL_MULF(D1->m01, step_7),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, step_11), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const float Do_10a = KSL_MULF(D1->m10, exp_diagonal0), Do_10b = KSL_MULF(D1->m11, step_4),
+      Do_10c = KSL_MULF(D1->m12, step_8), Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m10, step_1), Do_11b = KSL_MULF(D1->m12, step_9),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m11, exp_diagonal1), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m10, step_2), Do_12b = KSL_MULF(D1->m11, step_6),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, exp_diagonal2), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m10, step_3), Do_13b = KSL_MULF(D1->m11, step_7),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, step_11), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const float Do_20a = KSL_MULF(D1->m20, exp_diagonal0), Do_20b = KSL_MULF(D1->m21, step_4),
+      Do_20c = KSL_MULF(D1->m22, step_8), Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m20, step_1), Do_21b = KSL_MULF(D1->m22, step_9),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m21, exp_diagonal1), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m20, step_2), Do_22b = KSL_MULF(D1->m21, step_6),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, exp_diagonal2), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m20, step_3), Do_23b = KSL_MULF(D1->m21, step_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, step_11), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -15297,11 +16017,12 @@ static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
   const double l0_0 = A->m10 / divisor0;
   const double l0_1 = A->m20 / divisor0;
-  const double u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
-  const double u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const double u1_0a = KSL_MUL(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
+  const double u1_1a = KSL_MUL(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
-  const double u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const double u2a = KSL_MUL(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MUL(u1_1, l1),
+      u2 = u2b - u2c;
   const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < A->m11 ? part1a : A->m11;
@@ -15327,13 +16048,14 @@ static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
    Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t *b, ksl_vec3_t *x) {
-  const double y1a = L->m10 * b->x, y1 = b->y - y1a;
-  const double y2a = L->m20 * b->x, y2b = b->z - y2a, y2c = L->m21 * y1, y2 = y2b - y2c;
+  const double y1a = KSL_MUL(L->m10, b->x), y1 = b->y - y1a;
+  const double y2a = KSL_MUL(L->m20, b->x), y2b = b->z - y2a, y2c = KSL_MUL(L->m21, y1),
+      y2 = y2b - y2c;
   const double z0 = b->x / L->m00;
   const double z1 = y1 / L->m11;
   const double z2 = y2 / L->m22;
-  const double x1a = L->m21 * z2, x1 = z1 - x1a;
-  const double x0a = L->m10 * x1, x0b = z0 - x0a, x0c = L->m20 * z2, x0 = x0b - x0c;
+  const double x1a = KSL_MUL(L->m21, z2), x1 = z1 - x1a;
+  const double x0a = KSL_MUL(L->m10, x1), x0b = z0 - x0a, x0c = KSL_MUL(L->m20, z2), x0 = x0b - x0c;
   x->x = x0;
   x->y = x1;
   x->z = z2;
@@ -15350,11 +16072,12 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
   const double l0_0 = A->m10 / divisor0;
   const double l0_1 = A->m20 / divisor0;
-  const double u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
-  const double u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const double u1_0a = KSL_MUL(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
+  const double u1_1a = KSL_MUL(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
-  const double u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const double u2a = KSL_MUL(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MUL(u1_1, l1),
+      u2 = u2b - u2c;
   const double divisor2 = 0.0 < u2 ? u2 : 1.0;
   const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
@@ -15363,46 +16086,46 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = A->m00 * 0.9999999999999944;
-  const double less_1 = A->m11 * 0.9999999999999944;
-  const double less_2 = A->m22 * 0.9999999999999944;
+  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
+  const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
+  const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = A->m10 / less_divisor0;
   const double less_l0_1 = A->m20 / less_divisor0;
-  const double less_u1_0a = A->m10 * less_l0_0, less_u1_0 = less_1 - less_u1_0a;
-  const double less_u1_1a = A->m20 * less_l0_0, less_u1_1 = A->m21 - less_u1_1a;
+  const double less_u1_0a = KSL_MUL(A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const double less_u1_1a = KSL_MUL(A->m20, less_l0_0), less_u1_1 = A->m21 - less_u1_1a;
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
-  const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
-      less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
+  const double less_u2a = KSL_MUL(A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
+      less_u2c = KSL_MUL(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
   const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
       regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0;
-  const double y1a = b->x * l0_0, y1 = b->y - y1a;
-  const double y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
+  const double y1a = KSL_MUL(b->x, l0_0), y1 = b->y - y1a;
+  const double y2a = KSL_MUL(b->x, l0_1), y2b = b->z - y2a, y2c = KSL_MUL(l1, y1), y2 = y2b - y2c;
   const double z0 = b->x / divisor0;
   const double z1 = y1 / divisor1;
   const double z2 = y2 / divisor2;
-  const double x1a = l1 * z2, x1 = z1 - x1a;
-  const double x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * z2, x0 = x0b - x0c;
-  const double residual_0a = A->m00 * x0, residual_0b = b->x - residual_0a,
-      residual_0c = A->m10 * x1, residual_0d = residual_0b - residual_0c, residual_0e = A->m20 * z2,
-      residual_0 = residual_0d - residual_0e;
-  const double residual_1a = A->m10 * x0, residual_1b = b->y - residual_1a,
-      residual_1c = A->m11 * x1, residual_1d = residual_1b - residual_1c, residual_1e = A->m21 * z2,
-      residual_1 = residual_1d - residual_1e;
-  const double residual_2a = A->m20 * x0, residual_2b = b->z - residual_2a,
-      residual_2c = A->m21 * x1, residual_2d = residual_2b - residual_2c, residual_2e = A->m22 * z2,
-      residual_2 = residual_2d - residual_2e;
-  const double refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
-  const double refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = l1 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const double x1a = KSL_MUL(l1, z2), x1 = z1 - x1a;
+  const double x0a = KSL_MUL(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MUL(l0_1, z2), x0 = x0b - x0c;
+  const double residual_0a = KSL_MUL(A->m00, x0), residual_0b = b->x - residual_0a,
+      residual_0c = KSL_MUL(A->m10, x1), residual_0d = residual_0b - residual_0c,
+      residual_0e = KSL_MUL(A->m20, z2), residual_0 = residual_0d - residual_0e;
+  const double residual_1a = KSL_MUL(A->m10, x0), residual_1b = b->y - residual_1a,
+      residual_1c = KSL_MUL(A->m11, x1), residual_1d = residual_1b - residual_1c,
+      residual_1e = KSL_MUL(A->m21, z2), residual_1 = residual_1d - residual_1e;
+  const double residual_2a = KSL_MUL(A->m20, x0), residual_2b = b->z - residual_2a,
+      residual_2c = KSL_MUL(A->m21, x1), residual_2d = residual_2b - residual_2c,
+      residual_2e = KSL_MUL(A->m22, z2), residual_2 = residual_2d - residual_2e;
+  const double refined_y1a = KSL_MUL(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
+  const double refined_y2a = KSL_MUL(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = KSL_MUL(l1, refined_y1), refined_y2 = refined_y2b - refined_y2c;
   const double refined_z0 = residual_0 / divisor0;
   const double refined_z1 = refined_y1 / divisor1;
   const double refined_z2 = refined_y2 / divisor2;
-  const double refined_x1a = l1 * refined_z2, refined_x1 = refined_z1 - refined_x1a;
-  const double refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = l0_1 * refined_z2, refined_x0 = refined_x0b - refined_x0c;
+  const double refined_x1a = KSL_MUL(l1, refined_z2), refined_x1 = refined_z1 - refined_x1a;
+  const double refined_x0a = KSL_MUL(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = KSL_MUL(l0_1, refined_z2), refined_x0 = refined_x0b - refined_x0c;
   const double found_0 = x0 + refined_x0;
   const double found_1 = x1 + refined_x1;
   const double found_2 = z2 + refined_z2;
@@ -15429,48 +16152,51 @@ static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
   const double l0_2 = A->at[0][3] / divisor0;
   const double l0_3 = A->at[0][4] / divisor0;
   const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
-  const double u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
-  const double u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
-  const double u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
-  const double u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const double u1_0a = KSL_MUL(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
+  const double u1_1a = KSL_MUL(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
+  const double u1_2a = KSL_MUL(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
+  const double u1_3a = KSL_MUL(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
+  const double u1_4a = KSL_MUL(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
   const double l1_2 = u1_3 / divisor1;
   const double l1_3 = u1_4 / divisor1;
-  const double u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
-      u2_0 = u2_0b - u2_0c;
-  const double u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
-      u2_1 = u2_1b - u2_1c;
-  const double u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
-      u2_2 = u2_2b - u2_2c;
-  const double u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
-      u2_3 = u2_3b - u2_3c;
+  const double u2_0a = KSL_MUL(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
+      u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
+  const double u2_1a = KSL_MUL(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
+      u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
+  const double u2_2a = KSL_MUL(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
+      u2_2c = KSL_MUL(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
+  const double u2_3a = KSL_MUL(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
+      u2_3c = KSL_MUL(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2_0 = u2_1 / divisor2;
   const double l2_1 = u2_2 / divisor2;
   const double l2_2 = u2_3 / divisor2;
-  const double u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
-      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
-  const double u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
-      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
-  const double u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
-      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const double u3_0a = KSL_MUL(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
+      u3_0c = KSL_MUL(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MUL(u2_1, l2_0),
+      u3_0 = u3_0d - u3_0e;
+  const double u3_1a = KSL_MUL(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
+      u3_1c = KSL_MUL(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MUL(u2_2, l2_0),
+      u3_1 = u3_1d - u3_1e;
+  const double u3_2a = KSL_MUL(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
+      u3_2c = KSL_MUL(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MUL(u2_3, l2_0),
+      u3_2 = u3_2d - u3_2e;
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
   const double l3_0 = u3_1 / divisor3;
   const double l3_1 = u3_2 / divisor3;
-  const double u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
-      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
-      u4_0 = u4_0f - u4_0g;
-  const double u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
-      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
-      u4_1 = u4_1f - u4_1g;
+  const double u4_0a = KSL_MUL(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
+      u4_0c = KSL_MUL(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MUL(u2_2, l2_1),
+      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MUL(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
+  const double u4_1a = KSL_MUL(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
+      u4_1c = KSL_MUL(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MUL(u2_3, l2_1),
+      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MUL(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
-  const double u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3,
-      u5d = u5b - u5c, u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g,
-      u5i = u4_1 * l4, u5 = u5h - u5i;
+  const double u5a = KSL_MUL(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a, u5c = KSL_MUL(u1_4, l1_3),
+      u5d = u5b - u5c, u5e = KSL_MUL(u2_3, l2_2), u5f = u5d - u5e, u5g = KSL_MUL(u3_2, l3_1),
+      u5h = u5f - u5g, u5i = KSL_MUL(u4_1, l4), u5 = u5h - u5i;
   const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1];
@@ -15533,31 +16259,36 @@ static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew_t *b,
     ksl_screw_t *x) {
-  const double y1a = L->at[0][1] * b->m0, y1 = b->m1 - y1a;
-  const double y2a = L->at[0][2] * b->m0, y2b = b->m2 - y2a, y2c = L->at[1][2] * y1, y2 = y2b - y2c;
-  const double y3a = L->at[0][3] * b->m0, y3b = b->m3 - y3a, y3c = L->at[1][3] * y1,
-      y3d = y3b - y3c, y3e = L->at[2][3] * y2, y3 = y3d - y3e;
-  const double y4a = L->at[0][4] * b->m0, y4b = b->m4 - y4a, y4c = L->at[1][4] * y1,
-      y4d = y4b - y4c, y4e = L->at[2][4] * y2, y4f = y4d - y4e, y4g = L->at[3][4] * y3,
-      y4 = y4f - y4g;
-  const double y5a = L->at[0][5] * b->m0, y5b = b->m5 - y5a, y5c = L->at[1][5] * y1,
-      y5d = y5b - y5c, y5e = L->at[2][5] * y2, y5f = y5d - y5e, y5g = L->at[3][5] * y3,
-      y5h = y5f - y5g, y5i = L->at[4][5] * y4, y5 = y5h - y5i;
+  const double y1a = KSL_MUL(L->at[0][1], b->m0), y1 = b->m1 - y1a;
+  const double y2a = KSL_MUL(L->at[0][2], b->m0), y2b = b->m2 - y2a, y2c = KSL_MUL(L->at[1][2], y1),
+      y2 = y2b - y2c;
+  const double y3a = KSL_MUL(L->at[0][3], b->m0), y3b = b->m3 - y3a, y3c = KSL_MUL(L->at[1][3], y1),
+      y3d = y3b - y3c, y3e = KSL_MUL(L->at[2][3], y2), y3 = y3d - y3e;
+  const double y4a = KSL_MUL(L->at[0][4], b->m0), y4b = b->m4 - y4a, y4c = KSL_MUL(L->at[1][4], y1),
+      y4d = y4b - y4c, y4e = KSL_MUL(L->at[2][4], y2), y4f = y4d - y4e,
+      y4g = KSL_MUL(L->at[3][4], y3), y4 = y4f - y4g;
+  const double y5a = KSL_MUL(L->at[0][5], b->m0), y5b = b->m5 - y5a, y5c = KSL_MUL(L->at[1][5], y1),
+      y5d = y5b - y5c, y5e = KSL_MUL(L->at[2][5], y2), y5f = y5d - y5e,
+      y5g = KSL_MUL(L->at[3][5], y3), y5h = y5f - y5g, y5i = KSL_MUL(L->at[4][5], y4),
+      y5 = y5h - y5i;
   const double z0 = b->m0 / L->at[0][0];
   const double z1 = y1 / L->at[1][1];
   const double z2 = y2 / L->at[2][2];
   const double z3 = y3 / L->at[3][3];
   const double z4 = y4 / L->at[4][4];
   const double z5 = y5 / L->at[5][5];
-  const double x4a = L->at[4][5] * z5, x4 = z4 - x4a;
-  const double x3a = L->at[3][4] * x4, x3b = z3 - x3a, x3c = L->at[3][5] * z5, x3 = x3b - x3c;
-  const double x2a = L->at[2][3] * x3, x2b = z2 - x2a, x2c = L->at[2][4] * x4, x2d = x2b - x2c,
-      x2e = L->at[2][5] * z5, x2 = x2d - x2e;
-  const double x1a = L->at[1][2] * x2, x1b = z1 - x1a, x1c = L->at[1][3] * x3, x1d = x1b - x1c,
-      x1e = L->at[1][4] * x4, x1f = x1d - x1e, x1g = L->at[1][5] * z5, x1 = x1f - x1g;
-  const double x0a = L->at[0][1] * x1, x0b = z0 - x0a, x0c = L->at[0][2] * x2, x0d = x0b - x0c,
-      x0e = L->at[0][3] * x3, x0f = x0d - x0e, x0g = L->at[0][4] * x4, x0h = x0f - x0g,
-      x0i = L->at[0][5] * z5, x0 = x0h - x0i;
+  const double x4a = KSL_MUL(L->at[4][5], z5), x4 = z4 - x4a;
+  const double x3a = KSL_MUL(L->at[3][4], x4), x3b = z3 - x3a, x3c = KSL_MUL(L->at[3][5], z5),
+      x3 = x3b - x3c;
+  const double x2a = KSL_MUL(L->at[2][3], x3), x2b = z2 - x2a, x2c = KSL_MUL(L->at[2][4], x4),
+      x2d = x2b - x2c, x2e = KSL_MUL(L->at[2][5], z5), x2 = x2d - x2e;
+  const double x1a = KSL_MUL(L->at[1][2], x2), x1b = z1 - x1a, x1c = KSL_MUL(L->at[1][3], x3),
+      x1d = x1b - x1c, x1e = KSL_MUL(L->at[1][4], x4), x1f = x1d - x1e,
+      x1g = KSL_MUL(L->at[1][5], z5), x1 = x1f - x1g;
+  const double x0a = KSL_MUL(L->at[0][1], x1), x0b = z0 - x0a, x0c = KSL_MUL(L->at[0][2], x2),
+      x0d = x0b - x0c, x0e = KSL_MUL(L->at[0][3], x3), x0f = x0d - x0e,
+      x0g = KSL_MUL(L->at[0][4], x4), x0h = x0f - x0g, x0i = KSL_MUL(L->at[0][5], z5),
+      x0 = x0h - x0i;
   x->m0 = x0;
   x->m1 = x1;
   x->m2 = x2;
@@ -15581,48 +16312,51 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double l0_2 = A->at[0][3] / divisor0;
   const double l0_3 = A->at[0][4] / divisor0;
   const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
-  const double u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
-  const double u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
-  const double u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
-  const double u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const double u1_0a = KSL_MUL(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
+  const double u1_1a = KSL_MUL(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
+  const double u1_2a = KSL_MUL(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
+  const double u1_3a = KSL_MUL(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
+  const double u1_4a = KSL_MUL(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
   const double l1_2 = u1_3 / divisor1;
   const double l1_3 = u1_4 / divisor1;
-  const double u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
-      u2_0 = u2_0b - u2_0c;
-  const double u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
-      u2_1 = u2_1b - u2_1c;
-  const double u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
-      u2_2 = u2_2b - u2_2c;
-  const double u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
-      u2_3 = u2_3b - u2_3c;
+  const double u2_0a = KSL_MUL(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
+      u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
+  const double u2_1a = KSL_MUL(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
+      u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
+  const double u2_2a = KSL_MUL(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
+      u2_2c = KSL_MUL(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
+  const double u2_3a = KSL_MUL(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
+      u2_3c = KSL_MUL(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2_0 = u2_1 / divisor2;
   const double l2_1 = u2_2 / divisor2;
   const double l2_2 = u2_3 / divisor2;
-  const double u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
-      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
-  const double u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
-      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
-  const double u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
-      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const double u3_0a = KSL_MUL(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
+      u3_0c = KSL_MUL(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MUL(u2_1, l2_0),
+      u3_0 = u3_0d - u3_0e;
+  const double u3_1a = KSL_MUL(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
+      u3_1c = KSL_MUL(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MUL(u2_2, l2_0),
+      u3_1 = u3_1d - u3_1e;
+  const double u3_2a = KSL_MUL(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
+      u3_2c = KSL_MUL(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MUL(u2_3, l2_0),
+      u3_2 = u3_2d - u3_2e;
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
   const double l3_0 = u3_1 / divisor3;
   const double l3_1 = u3_2 / divisor3;
-  const double u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
-      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
-      u4_0 = u4_0f - u4_0g;
-  const double u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
-      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
-      u4_1 = u4_1f - u4_1g;
+  const double u4_0a = KSL_MUL(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
+      u4_0c = KSL_MUL(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MUL(u2_2, l2_1),
+      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MUL(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
+  const double u4_1a = KSL_MUL(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
+      u4_1c = KSL_MUL(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MUL(u2_3, l2_1),
+      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MUL(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
-  const double u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3,
-      u5d = u5b - u5c, u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g,
-      u5i = u4_1 * l4, u5 = u5h - u5i;
+  const double u5a = KSL_MUL(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a, u5c = KSL_MUL(u1_4, l1_3),
+      u5d = u5b - u5c, u5e = KSL_MUL(u2_3, l2_2), u5f = u5d - u5e, u5g = KSL_MUL(u3_2, l3_1),
+      u5h = u5f - u5g, u5i = KSL_MUL(u4_1, l4), u5 = u5h - u5i;
   const double divisor5 = 0.0 < u5 ? u5 : 1.0;
   const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
@@ -15640,166 +16374,169 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = A->at[0][0] * 0.9999999999999944;
-  const double less_1 = A->at[1][1] * 0.9999999999999944;
-  const double less_2 = A->at[2][2] * 0.9999999999999944;
-  const double less_3 = A->at[3][3] * 0.9999999999999944;
-  const double less_4 = A->at[4][4] * 0.9999999999999944;
-  const double less_5 = A->at[5][5] * 0.9999999999999944;
+  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
+  const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
+  const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
+  const double less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944);
+  const double less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944);
+  const double less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = A->at[0][1] / less_divisor0;
   const double less_l0_1 = A->at[0][2] / less_divisor0;
   const double less_l0_2 = A->at[0][3] / less_divisor0;
   const double less_l0_3 = A->at[0][4] / less_divisor0;
   const double less_l0_4 = A->at[0][5] / less_divisor0;
-  const double less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0 = less_1 - less_u1_0a;
-  const double less_u1_1a = A->at[0][2] * less_l0_0, less_u1_1 = A->at[1][2] - less_u1_1a;
-  const double less_u1_2a = A->at[0][3] * less_l0_0, less_u1_2 = A->at[1][3] - less_u1_2a;
-  const double less_u1_3a = A->at[0][4] * less_l0_0, less_u1_3 = A->at[1][4] - less_u1_3a;
-  const double less_u1_4a = A->at[0][5] * less_l0_0, less_u1_4 = A->at[1][5] - less_u1_4a;
+  const double less_u1_0a = KSL_MUL(A->at[0][1], less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const double less_u1_1a = KSL_MUL(A->at[0][2], less_l0_0), less_u1_1 = A->at[1][2] - less_u1_1a;
+  const double less_u1_2a = KSL_MUL(A->at[0][3], less_l0_0), less_u1_2 = A->at[1][3] - less_u1_2a;
+  const double less_u1_3a = KSL_MUL(A->at[0][4], less_l0_0), less_u1_3 = A->at[1][4] - less_u1_3a;
+  const double less_u1_4a = KSL_MUL(A->at[0][5], less_l0_0), less_u1_4 = A->at[1][5] - less_u1_4a;
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1_0 = less_u1_1 / less_divisor1;
   const double less_l1_1 = less_u1_2 / less_divisor1;
   const double less_l1_2 = less_u1_3 / less_divisor1;
   const double less_l1_3 = less_u1_4 / less_divisor1;
-  const double less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0b = less_2 - less_u2_0a,
-      less_u2_0c = less_u1_1 * less_l1_0, less_u2_0 = less_u2_0b - less_u2_0c;
-  const double less_u2_1a = A->at[0][3] * less_l0_1, less_u2_1b = A->at[2][3] - less_u2_1a,
-      less_u2_1c = less_u1_2 * less_l1_0, less_u2_1 = less_u2_1b - less_u2_1c;
-  const double less_u2_2a = A->at[0][4] * less_l0_1, less_u2_2b = A->at[2][4] - less_u2_2a,
-      less_u2_2c = less_u1_3 * less_l1_0, less_u2_2 = less_u2_2b - less_u2_2c;
-  const double less_u2_3a = A->at[0][5] * less_l0_1, less_u2_3b = A->at[2][5] - less_u2_3a,
-      less_u2_3c = less_u1_4 * less_l1_0, less_u2_3 = less_u2_3b - less_u2_3c;
+  const double less_u2_0a = KSL_MUL(A->at[0][2], less_l0_1), less_u2_0b = less_2 - less_u2_0a,
+      less_u2_0c = KSL_MUL(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
+  const double less_u2_1a = KSL_MUL(A->at[0][3], less_l0_1), less_u2_1b = A->at[2][3] - less_u2_1a,
+      less_u2_1c = KSL_MUL(less_u1_2, less_l1_0), less_u2_1 = less_u2_1b - less_u2_1c;
+  const double less_u2_2a = KSL_MUL(A->at[0][4], less_l0_1), less_u2_2b = A->at[2][4] - less_u2_2a,
+      less_u2_2c = KSL_MUL(less_u1_3, less_l1_0), less_u2_2 = less_u2_2b - less_u2_2c;
+  const double less_u2_3a = KSL_MUL(A->at[0][5], less_l0_1), less_u2_3b = A->at[2][5] - less_u2_3a,
+      less_u2_3c = KSL_MUL(less_u1_4, less_l1_0), less_u2_3 = less_u2_3b - less_u2_3c;
   const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0;
   const double less_l2_0 = less_u2_1 / less_divisor2;
   const double less_l2_1 = less_u2_2 / less_divisor2;
   const double less_l2_2 = less_u2_3 / less_divisor2;
-  const double less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0b = less_3 - less_u3_0a,
-      less_u3_0c = less_u1_2 * less_l1_1, less_u3_0d = less_u3_0b - less_u3_0c,
-      less_u3_0e = less_u2_1 * less_l2_0, less_u3_0 = less_u3_0d - less_u3_0e;
-  const double less_u3_1a = A->at[0][4] * less_l0_2, less_u3_1b = A->at[3][4] - less_u3_1a,
-      less_u3_1c = less_u1_3 * less_l1_1, less_u3_1d = less_u3_1b - less_u3_1c,
-      less_u3_1e = less_u2_2 * less_l2_0, less_u3_1 = less_u3_1d - less_u3_1e;
-  const double less_u3_2a = A->at[0][5] * less_l0_2, less_u3_2b = A->at[3][5] - less_u3_2a,
-      less_u3_2c = less_u1_4 * less_l1_1, less_u3_2d = less_u3_2b - less_u3_2c,
-      less_u3_2e = less_u2_3 * less_l2_0, less_u3_2 = less_u3_2d - less_u3_2e;
+  const double less_u3_0a = KSL_MUL(A->at[0][3], less_l0_2), less_u3_0b = less_3 - less_u3_0a,
+      less_u3_0c = KSL_MUL(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
+      less_u3_0e = KSL_MUL(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
+  const double less_u3_1a = KSL_MUL(A->at[0][4], less_l0_2), less_u3_1b = A->at[3][4] - less_u3_1a,
+      less_u3_1c = KSL_MUL(less_u1_3, less_l1_1), less_u3_1d = less_u3_1b - less_u3_1c,
+      less_u3_1e = KSL_MUL(less_u2_2, less_l2_0), less_u3_1 = less_u3_1d - less_u3_1e;
+  const double less_u3_2a = KSL_MUL(A->at[0][5], less_l0_2), less_u3_2b = A->at[3][5] - less_u3_2a,
+      less_u3_2c = KSL_MUL(less_u1_4, less_l1_1), less_u3_2d = less_u3_2b - less_u3_2c,
+      less_u3_2e = KSL_MUL(less_u2_3, less_l2_0), less_u3_2 = less_u3_2d - less_u3_2e;
   const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0;
   const double less_l3_0 = less_u3_1 / less_divisor3;
   const double less_l3_1 = less_u3_2 / less_divisor3;
-  const double less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0b = less_4 - less_u4_0a,
-      less_u4_0c = less_u1_3 * less_l1_2, less_u4_0d = less_u4_0b - less_u4_0c,
-      less_u4_0e = less_u2_2 * less_l2_1, less_u4_0f = less_u4_0d - less_u4_0e,
-      less_u4_0g = less_u3_1 * less_l3_0, less_u4_0 = less_u4_0f - less_u4_0g;
-  const double less_u4_1a = A->at[0][5] * less_l0_3, less_u4_1b = A->at[4][5] - less_u4_1a,
-      less_u4_1c = less_u1_4 * less_l1_2, less_u4_1d = less_u4_1b - less_u4_1c,
-      less_u4_1e = less_u2_3 * less_l2_1, less_u4_1f = less_u4_1d - less_u4_1e,
-      less_u4_1g = less_u3_2 * less_l3_0, less_u4_1 = less_u4_1f - less_u4_1g;
+  const double less_u4_0a = KSL_MUL(A->at[0][4], less_l0_3), less_u4_0b = less_4 - less_u4_0a,
+      less_u4_0c = KSL_MUL(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
+      less_u4_0e = KSL_MUL(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
+      less_u4_0g = KSL_MUL(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
+  const double less_u4_1a = KSL_MUL(A->at[0][5], less_l0_3), less_u4_1b = A->at[4][5] - less_u4_1a,
+      less_u4_1c = KSL_MUL(less_u1_4, less_l1_2), less_u4_1d = less_u4_1b - less_u4_1c,
+      less_u4_1e = KSL_MUL(less_u2_3, less_l2_1), less_u4_1f = less_u4_1d - less_u4_1e,
+      less_u4_1g = KSL_MUL(less_u3_2, less_l3_0), less_u4_1 = less_u4_1f - less_u4_1g;
   const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0;
   const double less_l4 = less_u4_1 / less_divisor4;
-  const double less_u5a = A->at[0][5] * less_l0_4, less_u5b = less_5 - less_u5a,
-      less_u5c = less_u1_4 * less_l1_3, less_u5d = less_u5b - less_u5c,
-      less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
-      less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
-      less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
+  const double less_u5a = KSL_MUL(A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
+      less_u5c = KSL_MUL(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
+      less_u5e = KSL_MUL(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
+      less_u5g = KSL_MUL(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,
+      less_u5i = KSL_MUL(less_u4_1, less_l4), less_u5 = less_u5h - less_u5i;
   const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
       regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
       regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0;
-  const double y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
-  const double y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;
-  const double y3a = b->m0 * l0_2, y3b = b->m3 - y3a, y3c = l1_1 * y1, y3d = y3b - y3c,
-      y3e = l2_0 * y2, y3 = y3d - y3e;
-  const double y4a = b->m0 * l0_3, y4b = b->m4 - y4a, y4c = l1_2 * y1, y4d = y4b - y4c,
-      y4e = l2_1 * y2, y4f = y4d - y4e, y4g = l3_0 * y3, y4 = y4f - y4g;
-  const double y5a = b->m0 * l0_4, y5b = b->m5 - y5a, y5c = l1_3 * y1, y5d = y5b - y5c,
-      y5e = l2_2 * y2, y5f = y5d - y5e, y5g = l3_1 * y3, y5h = y5f - y5g, y5i = l4 * y4,
-      y5 = y5h - y5i;
+  const double y1a = KSL_MUL(b->m0, l0_0), y1 = b->m1 - y1a;
+  const double y2a = KSL_MUL(b->m0, l0_1), y2b = b->m2 - y2a, y2c = KSL_MUL(l1_0, y1),
+      y2 = y2b - y2c;
+  const double y3a = KSL_MUL(b->m0, l0_2), y3b = b->m3 - y3a, y3c = KSL_MUL(l1_1, y1),
+      y3d = y3b - y3c, y3e = KSL_MUL(l2_0, y2), y3 = y3d - y3e;
+  const double y4a = KSL_MUL(b->m0, l0_3), y4b = b->m4 - y4a, y4c = KSL_MUL(l1_2, y1),
+      y4d = y4b - y4c, y4e = KSL_MUL(l2_1, y2), y4f = y4d - y4e, y4g = KSL_MUL(l3_0, y3),
+      y4 = y4f - y4g;
+  const double y5a = KSL_MUL(b->m0, l0_4), y5b = b->m5 - y5a, y5c = KSL_MUL(l1_3, y1),
+      y5d = y5b - y5c, y5e = KSL_MUL(l2_2, y2), y5f = y5d - y5e, y5g = KSL_MUL(l3_1, y3),
+      y5h = y5f - y5g, y5i = KSL_MUL(l4, y4), y5 = y5h - y5i;
   const double z0 = b->m0 / divisor0;
   const double z1 = y1 / divisor1;
   const double z2 = y2 / divisor2;
   const double z3 = y3 / divisor3;
   const double z4 = y4 / divisor4;
   const double z5 = y5 / divisor5;
-  const double x4a = l4 * z5, x4 = z4 - x4a;
-  const double x3a = l3_0 * x4, x3b = z3 - x3a, x3c = l3_1 * z5, x3 = x3b - x3c;
-  const double x2a = l2_0 * x3, x2b = z2 - x2a, x2c = l2_1 * x4, x2d = x2b - x2c, x2e = l2_2 * z5,
-      x2 = x2d - x2e;
-  const double x1a = l1_0 * x2, x1b = z1 - x1a, x1c = l1_1 * x3, x1d = x1b - x1c, x1e = l1_2 * x4,
-      x1f = x1d - x1e, x1g = l1_3 * z5, x1 = x1f - x1g;
-  const double x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * x2, x0d = x0b - x0c, x0e = l0_2 * x3,
-      x0f = x0d - x0e, x0g = l0_3 * x4, x0h = x0f - x0g, x0i = l0_4 * z5, x0 = x0h - x0i;
-  const double residual_0a = A->at[0][0] * x0, residual_0b = b->m0 - residual_0a,
-      residual_0c = A->at[0][1] * x1, residual_0d = residual_0b - residual_0c,
-      residual_0e = A->at[0][2] * x2, residual_0f = residual_0d - residual_0e,
-      residual_0g = A->at[0][3] * x3, residual_0h = residual_0f - residual_0g,
-      residual_0i = A->at[0][4] * x4, residual_0j = residual_0h - residual_0i,
-      residual_0k = A->at[0][5] * z5, residual_0 = residual_0j - residual_0k;
-  const double residual_1a = A->at[0][1] * x0, residual_1b = b->m1 - residual_1a,
-      residual_1c = A->at[1][1] * x1, residual_1d = residual_1b - residual_1c,
-      residual_1e = A->at[1][2] * x2, residual_1f = residual_1d - residual_1e,
-      residual_1g = A->at[1][3] * x3, residual_1h = residual_1f - residual_1g,
-      residual_1i = A->at[1][4] * x4, residual_1j = residual_1h - residual_1i,
-      residual_1k = A->at[1][5] * z5, residual_1 = residual_1j - residual_1k;
-  const double residual_2a = A->at[0][2] * x0, residual_2b = b->m2 - residual_2a,
-      residual_2c = A->at[1][2] * x1, residual_2d = residual_2b - residual_2c,
-      residual_2e = A->at[2][2] * x2, residual_2f = residual_2d - residual_2e,
-      residual_2g = A->at[2][3] * x3, residual_2h = residual_2f - residual_2g,
-      residual_2i = A->at[2][4] * x4, residual_2j = residual_2h - residual_2i,
-      residual_2k = A->at[2][5] * z5, residual_2 = residual_2j - residual_2k;
-  const double residual_3a = A->at[0][3] * x0, residual_3b = b->m3 - residual_3a,
-      residual_3c = A->at[1][3] * x1, residual_3d = residual_3b - residual_3c,
-      residual_3e = A->at[2][3] * x2, residual_3f = residual_3d - residual_3e,
-      residual_3g = A->at[3][3] * x3, residual_3h = residual_3f - residual_3g,
-      residual_3i = A->at[3][4] * x4, residual_3j = residual_3h - residual_3i,
-      residual_3k = A->at[3][5] * z5, residual_3 = residual_3j - residual_3k;
-  const double residual_4a = A->at[0][4] * x0, residual_4b = b->m4 - residual_4a,
-      residual_4c = A->at[1][4] * x1, residual_4d = residual_4b - residual_4c,
-      residual_4e = A->at[2][4] * x2, residual_4f = residual_4d - residual_4e,
-      residual_4g = A->at[3][4] * x3, residual_4h = residual_4f - residual_4g,
-      residual_4i = A->at[4][4] * x4, residual_4j = residual_4h - residual_4i,
-      residual_4k = A->at[4][5] * z5, residual_4 = residual_4j - residual_4k;
-  const double residual_5a = A->at[0][5] * x0, residual_5b = b->m5 - residual_5a,
-      residual_5c = A->at[1][5] * x1, residual_5d = residual_5b - residual_5c,
-      residual_5e = A->at[2][5] * x2, residual_5f = residual_5d - residual_5e,
-      residual_5g = A->at[3][5] * x3, residual_5h = residual_5f - residual_5g,
-      residual_5i = A->at[4][5] * x4, residual_5j = residual_5h - residual_5i,
-      residual_5k = A->at[5][5] * z5, residual_5 = residual_5j - residual_5k;
-  const double refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
-  const double refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = l1_0 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
-  const double refined_y3a = l0_2 * residual_0, refined_y3b = residual_3 - refined_y3a,
-      refined_y3c = l1_1 * refined_y1, refined_y3d = refined_y3b - refined_y3c,
-      refined_y3e = l2_0 * refined_y2, refined_y3 = refined_y3d - refined_y3e;
-  const double refined_y4a = l0_3 * residual_0, refined_y4b = residual_4 - refined_y4a,
-      refined_y4c = l1_2 * refined_y1, refined_y4d = refined_y4b - refined_y4c,
-      refined_y4e = l2_1 * refined_y2, refined_y4f = refined_y4d - refined_y4e,
-      refined_y4g = l3_0 * refined_y3, refined_y4 = refined_y4f - refined_y4g;
-  const double refined_y5a = l0_4 * residual_0, refined_y5b = residual_5 - refined_y5a,
-      refined_y5c = l1_3 * refined_y1, refined_y5d = refined_y5b - refined_y5c,
-      refined_y5e = l2_2 * refined_y2, refined_y5f = refined_y5d - refined_y5e,
-      refined_y5g = l3_1 * refined_y3, refined_y5h = refined_y5f - refined_y5g,
-      refined_y5i = l4 * refined_y4, refined_y5 = refined_y5h - refined_y5i;
+  const double x4a = KSL_MUL(l4, z5), x4 = z4 - x4a;
+  const double x3a = KSL_MUL(l3_0, x4), x3b = z3 - x3a, x3c = KSL_MUL(l3_1, z5), x3 = x3b - x3c;
+  const double x2a = KSL_MUL(l2_0, x3), x2b = z2 - x2a, x2c = KSL_MUL(l2_1, x4), x2d = x2b - x2c,
+      x2e = KSL_MUL(l2_2, z5), x2 = x2d - x2e;
+  const double x1a = KSL_MUL(l1_0, x2), x1b = z1 - x1a, x1c = KSL_MUL(l1_1, x3), x1d = x1b - x1c,
+      x1e = KSL_MUL(l1_2, x4), x1f = x1d - x1e, x1g = KSL_MUL(l1_3, z5), x1 = x1f - x1g;
+  const double x0a = KSL_MUL(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MUL(l0_1, x2), x0d = x0b - x0c,
+      x0e = KSL_MUL(l0_2, x3), x0f = x0d - x0e, x0g = KSL_MUL(l0_3, x4), x0h = x0f - x0g,
+      x0i = KSL_MUL(l0_4, z5), x0 = x0h - x0i;
+  const double residual_0a = KSL_MUL(A->at[0][0], x0), residual_0b = b->m0 - residual_0a,
+      residual_0c = KSL_MUL(A->at[0][1], x1), residual_0d = residual_0b - residual_0c,
+      residual_0e = KSL_MUL(A->at[0][2], x2), residual_0f = residual_0d - residual_0e,
+      residual_0g = KSL_MUL(A->at[0][3], x3), residual_0h = residual_0f - residual_0g,
+      residual_0i = KSL_MUL(A->at[0][4], x4), residual_0j = residual_0h - residual_0i,
+      residual_0k = KSL_MUL(A->at[0][5], z5), residual_0 = residual_0j - residual_0k;
+  const double residual_1a = KSL_MUL(A->at[0][1], x0), residual_1b = b->m1 - residual_1a,
+      residual_1c = KSL_MUL(A->at[1][1], x1), residual_1d = residual_1b - residual_1c,
+      residual_1e = KSL_MUL(A->at[1][2], x2), residual_1f = residual_1d - residual_1e,
+      residual_1g = KSL_MUL(A->at[1][3], x3), residual_1h = residual_1f - residual_1g,
+      residual_1i = KSL_MUL(A->at[1][4], x4), residual_1j = residual_1h - residual_1i,
+      residual_1k = KSL_MUL(A->at[1][5], z5), residual_1 = residual_1j - residual_1k;
+  const double residual_2a = KSL_MUL(A->at[0][2], x0), residual_2b = b->m2 - residual_2a,
+      residual_2c = KSL_MUL(A->at[1][2], x1), residual_2d = residual_2b - residual_2c,
+      residual_2e = KSL_MUL(A->at[2][2], x2), residual_2f = residual_2d - residual_2e,
+      residual_2g = KSL_MUL(A->at[2][3], x3), residual_2h = residual_2f - residual_2g,
+      residual_2i = KSL_MUL(A->at[2][4], x4), residual_2j = residual_2h - residual_2i,
+      residual_2k = KSL_MUL(A->at[2][5], z5), residual_2 = residual_2j - residual_2k;
+  const double residual_3a = KSL_MUL(A->at[0][3], x0), residual_3b = b->m3 - residual_3a,
+      residual_3c = KSL_MUL(A->at[1][3], x1), residual_3d = residual_3b - residual_3c,
+      residual_3e = KSL_MUL(A->at[2][3], x2), residual_3f = residual_3d - residual_3e,
+      residual_3g = KSL_MUL(A->at[3][3], x3), residual_3h = residual_3f - residual_3g,
+      residual_3i = KSL_MUL(A->at[3][4], x4), residual_3j = residual_3h - residual_3i,
+      residual_3k = KSL_MUL(A->at[3][5], z5), residual_3 = residual_3j - residual_3k;
+  const double residual_4a = KSL_MUL(A->at[0][4], x0), residual_4b = b->m4 - residual_4a,
+      residual_4c = KSL_MUL(A->at[1][4], x1), residual_4d = residual_4b - residual_4c,
+      residual_4e = KSL_MUL(A->at[2][4], x2), residual_4f = residual_4d - residual_4e,
+      residual_4g = KSL_MUL(A->at[3][4], x3), residual_4h = residual_4f - residual_4g,
+      residual_4i = KSL_MUL(A->at[4][4], x4), residual_4j = residual_4h - residual_4i,
+      residual_4k = KSL_MUL(A->at[4][5], z5), residual_4 = residual_4j - residual_4k;
+  const double residual_5a = KSL_MUL(A->at[0][5], x0), residual_5b = b->m5 - residual_5a,
+      residual_5c = KSL_MUL(A->at[1][5], x1), residual_5d = residual_5b - residual_5c,
+      residual_5e = KSL_MUL(A->at[2][5], x2), residual_5f = residual_5d - residual_5e,
+      residual_5g = KSL_MUL(A->at[3][5], x3), residual_5h = residual_5f - residual_5g,
+      residual_5i = KSL_MUL(A->at[4][5], x4), residual_5j = residual_5h - residual_5i,
+      residual_5k = KSL_MUL(A->at[5][5], z5), residual_5 = residual_5j - residual_5k;
+  const double refined_y1a = KSL_MUL(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
+  const double refined_y2a = KSL_MUL(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = KSL_MUL(l1_0, refined_y1), refined_y2 = refined_y2b - refined_y2c;
+  const double refined_y3a = KSL_MUL(l0_2, residual_0), refined_y3b = residual_3 - refined_y3a,
+      refined_y3c = KSL_MUL(l1_1, refined_y1), refined_y3d = refined_y3b - refined_y3c,
+      refined_y3e = KSL_MUL(l2_0, refined_y2), refined_y3 = refined_y3d - refined_y3e;
+  const double refined_y4a = KSL_MUL(l0_3, residual_0), refined_y4b = residual_4 - refined_y4a,
+      refined_y4c = KSL_MUL(l1_2, refined_y1), refined_y4d = refined_y4b - refined_y4c,
+      refined_y4e = KSL_MUL(l2_1, refined_y2), refined_y4f = refined_y4d - refined_y4e,
+      refined_y4g = KSL_MUL(l3_0, refined_y3), refined_y4 = refined_y4f - refined_y4g;
+  const double refined_y5a = KSL_MUL(l0_4, residual_0), refined_y5b = residual_5 - refined_y5a,
+      refined_y5c = KSL_MUL(l1_3, refined_y1), refined_y5d = refined_y5b - refined_y5c,
+      refined_y5e = KSL_MUL(l2_2, refined_y2), refined_y5f = refined_y5d - refined_y5e,
+      refined_y5g = KSL_MUL(l3_1, refined_y3), refined_y5h = refined_y5f - refined_y5g,
+      refined_y5i = KSL_MUL(l4, refined_y4), refined_y5 = refined_y5h - refined_y5i;
   const double refined_z0 = residual_0 / divisor0;
   const double refined_z1 = refined_y1 / divisor1;
   const double refined_z2 = refined_y2 / divisor2;
   const double refined_z3 = refined_y3 / divisor3;
   const double refined_z4 = refined_y4 / divisor4;
   const double refined_z5 = refined_y5 / divisor5;
-  const double refined_x4a = l4 * refined_z5, refined_x4 = refined_z4 - refined_x4a;
-  const double refined_x3a = l3_0 * refined_x4, refined_x3b = refined_z3 - refined_x3a,
-      refined_x3c = l3_1 * refined_z5, refined_x3 = refined_x3b - refined_x3c;
-  const double refined_x2a = l2_0 * refined_x3, refined_x2b = refined_z2 - refined_x2a,
-      refined_x2c = l2_1 * refined_x4, refined_x2d = refined_x2b - refined_x2c,
-      refined_x2e = l2_2 * refined_z5, refined_x2 = refined_x2d - refined_x2e;
-  const double refined_x1a = l1_0 * refined_x2, refined_x1b = refined_z1 - refined_x1a,
-      refined_x1c = l1_1 * refined_x3, refined_x1d = refined_x1b - refined_x1c,
-      refined_x1e = l1_2 * refined_x4, refined_x1f = refined_x1d - refined_x1e,
-      refined_x1g = l1_3 * refined_z5, refined_x1 = refined_x1f - refined_x1g;
-  const double refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = l0_1 * refined_x2, refined_x0d = refined_x0b - refined_x0c,
-      refined_x0e = l0_2 * refined_x3, refined_x0f = refined_x0d - refined_x0e,
-      refined_x0g = l0_3 * refined_x4, refined_x0h = refined_x0f - refined_x0g,
-      refined_x0i = l0_4 * refined_z5, refined_x0 = refined_x0h - refined_x0i;
+  const double refined_x4a = KSL_MUL(l4, refined_z5), refined_x4 = refined_z4 - refined_x4a;
+  const double refined_x3a = KSL_MUL(l3_0, refined_x4), refined_x3b = refined_z3 - refined_x3a,
+      refined_x3c = KSL_MUL(l3_1, refined_z5), refined_x3 = refined_x3b - refined_x3c;
+  const double refined_x2a = KSL_MUL(l2_0, refined_x3), refined_x2b = refined_z2 - refined_x2a,
+      refined_x2c = KSL_MUL(l2_1, refined_x4), refined_x2d = refined_x2b - refined_x2c,
+      refined_x2e = KSL_MUL(l2_2, refined_z5), refined_x2 = refined_x2d - refined_x2e;
+  const double refined_x1a = KSL_MUL(l1_0, refined_x2), refined_x1b = refined_z1 - refined_x1a,
+      refined_x1c = KSL_MUL(l1_1, refined_x3), refined_x1d = refined_x1b - refined_x1c,
+      refined_x1e = KSL_MUL(l1_2, refined_x4), refined_x1f = refined_x1d - refined_x1e,
+      refined_x1g = KSL_MUL(l1_3, refined_z5), refined_x1 = refined_x1f - refined_x1g;
+  const double refined_x0a = KSL_MUL(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = KSL_MUL(l0_1, refined_x2), refined_x0d = refined_x0b - refined_x0c,
+      refined_x0e = KSL_MUL(l0_2, refined_x3), refined_x0f = refined_x0d - refined_x0e,
+      refined_x0g = KSL_MUL(l0_3, refined_x4), refined_x0h = refined_x0f - refined_x0g,
+      refined_x0i = KSL_MUL(l0_4, refined_z5), refined_x0 = refined_x0h - refined_x0i;
   const double found_0 = x0 + refined_x0;
   const double found_1 = x1 + refined_x1;
   const double found_2 = x2 + refined_x2;
@@ -15832,11 +16569,12 @@ static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
   const float l0_0 = A->m10 / divisor0;
   const float l0_1 = A->m20 / divisor0;
-  const float u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
-  const float u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const float u1_0a = KSL_MULF(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
+  const float u1_1a = KSL_MULF(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
-  const float u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const float u2a = KSL_MULF(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MULF(u1_1, l1),
+      u2 = u2b - u2c;
   const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
   const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < A->m11 ? part1a : A->m11;
@@ -15863,13 +16601,15 @@ static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
-  const float y1a = L->m10 * b->x, y1 = b->y - y1a;
-  const float y2a = L->m20 * b->x, y2b = b->z - y2a, y2c = L->m21 * y1, y2 = y2b - y2c;
+  const float y1a = KSL_MULF(L->m10, b->x), y1 = b->y - y1a;
+  const float y2a = KSL_MULF(L->m20, b->x), y2b = b->z - y2a, y2c = KSL_MULF(L->m21, y1),
+      y2 = y2b - y2c;
   const float z0 = b->x / L->m00;
   const float z1 = y1 / L->m11;
   const float z2 = y2 / L->m22;
-  const float x1a = L->m21 * z2, x1 = z1 - x1a;
-  const float x0a = L->m10 * x1, x0b = z0 - x0a, x0c = L->m20 * z2, x0 = x0b - x0c;
+  const float x1a = KSL_MULF(L->m21, z2), x1 = z1 - x1a;
+  const float x0a = KSL_MULF(L->m10, x1), x0b = z0 - x0a, x0c = KSL_MULF(L->m20, z2),
+      x0 = x0b - x0c;
   x->x = x0;
   x->y = x1;
   x->z = z2;
@@ -15887,11 +16627,12 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
   const float l0_0 = A->m10 / divisor0;
   const float l0_1 = A->m20 / divisor0;
-  const float u1_0a = A->m10 * l0_0, u1_0 = A->m11 - u1_0a;
-  const float u1_1a = A->m20 * l0_0, u1_1 = A->m21 - u1_1a;
+  const float u1_0a = KSL_MULF(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
+  const float u1_1a = KSL_MULF(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
-  const float u2a = A->m20 * l0_1, u2b = A->m22 - u2a, u2c = u1_1 * l1, u2 = u2b - u2c;
+  const float u2a = KSL_MULF(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MULF(u1_1, l1),
+      u2 = u2b - u2c;
   const float divisor2 = 0.0f < u2 ? u2 : 1.0f;
   const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
   const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
@@ -15900,46 +16641,46 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
   const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
   const float smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const float less_0 = A->m00 * 0.999997f;
-  const float less_1 = A->m11 * 0.999997f;
-  const float less_2 = A->m22 * 0.999997f;
+  const float less_0 = KSL_MULF(A->m00, 0.999997f);
+  const float less_1 = KSL_MULF(A->m11, 0.999997f);
+  const float less_2 = KSL_MULF(A->m22, 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
   const float less_l0_0 = A->m10 / less_divisor0;
   const float less_l0_1 = A->m20 / less_divisor0;
-  const float less_u1_0a = A->m10 * less_l0_0, less_u1_0 = less_1 - less_u1_0a;
-  const float less_u1_1a = A->m20 * less_l0_0, less_u1_1 = A->m21 - less_u1_1a;
+  const float less_u1_0a = KSL_MULF(A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const float less_u1_1a = KSL_MULF(A->m20, less_l0_0), less_u1_1 = A->m21 - less_u1_1a;
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
   const float less_l1 = less_u1_1 / less_divisor1;
-  const float less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
-      less_u2c = less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
+  const float less_u2a = KSL_MULF(A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
+      less_u2c = KSL_MULF(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
   const float regular_b = 0.0f < less_u2 ? 1.0f : 0.0f,
       regular_c = 0.0f < less_u1_0 ? regular_b : 0.0f, regular = 0.0f < less_0 ? regular_c : 0.0f;
   const float least = smallest2 < 0.0f ? smallest2 : 0.0f;
-  const float y1a = b->x * l0_0, y1 = b->y - y1a;
-  const float y2a = b->x * l0_1, y2b = b->z - y2a, y2c = l1 * y1, y2 = y2b - y2c;
+  const float y1a = KSL_MULF(b->x, l0_0), y1 = b->y - y1a;
+  const float y2a = KSL_MULF(b->x, l0_1), y2b = b->z - y2a, y2c = KSL_MULF(l1, y1), y2 = y2b - y2c;
   const float z0 = b->x / divisor0;
   const float z1 = y1 / divisor1;
   const float z2 = y2 / divisor2;
-  const float x1a = l1 * z2, x1 = z1 - x1a;
-  const float x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * z2, x0 = x0b - x0c;
-  const float residual_0a = A->m00 * x0, residual_0b = b->x - residual_0a,
-      residual_0c = A->m10 * x1, residual_0d = residual_0b - residual_0c, residual_0e = A->m20 * z2,
-      residual_0 = residual_0d - residual_0e;
-  const float residual_1a = A->m10 * x0, residual_1b = b->y - residual_1a,
-      residual_1c = A->m11 * x1, residual_1d = residual_1b - residual_1c, residual_1e = A->m21 * z2,
-      residual_1 = residual_1d - residual_1e;
-  const float residual_2a = A->m20 * x0, residual_2b = b->z - residual_2a,
-      residual_2c = A->m21 * x1, residual_2d = residual_2b - residual_2c, residual_2e = A->m22 * z2,
-      residual_2 = residual_2d - residual_2e;
-  const float refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
-  const float refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = l1 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
+  const float x1a = KSL_MULF(l1, z2), x1 = z1 - x1a;
+  const float x0a = KSL_MULF(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MULF(l0_1, z2), x0 = x0b - x0c;
+  const float residual_0a = KSL_MULF(A->m00, x0), residual_0b = b->x - residual_0a,
+      residual_0c = KSL_MULF(A->m10, x1), residual_0d = residual_0b - residual_0c,
+      residual_0e = KSL_MULF(A->m20, z2), residual_0 = residual_0d - residual_0e;
+  const float residual_1a = KSL_MULF(A->m10, x0), residual_1b = b->y - residual_1a,
+      residual_1c = KSL_MULF(A->m11, x1), residual_1d = residual_1b - residual_1c,
+      residual_1e = KSL_MULF(A->m21, z2), residual_1 = residual_1d - residual_1e;
+  const float residual_2a = KSL_MULF(A->m20, x0), residual_2b = b->z - residual_2a,
+      residual_2c = KSL_MULF(A->m21, x1), residual_2d = residual_2b - residual_2c,
+      residual_2e = KSL_MULF(A->m22, z2), residual_2 = residual_2d - residual_2e;
+  const float refined_y1a = KSL_MULF(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
+  const float refined_y2a = KSL_MULF(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = KSL_MULF(l1, refined_y1), refined_y2 = refined_y2b - refined_y2c;
   const float refined_z0 = residual_0 / divisor0;
   const float refined_z1 = refined_y1 / divisor1;
   const float refined_z2 = refined_y2 / divisor2;
-  const float refined_x1a = l1 * refined_z2, refined_x1 = refined_z1 - refined_x1a;
-  const float refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = l0_1 * refined_z2, refined_x0 = refined_x0b - refined_x0c;
+  const float refined_x1a = KSL_MULF(l1, refined_z2), refined_x1 = refined_z1 - refined_x1a;
+  const float refined_x0a = KSL_MULF(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = KSL_MULF(l0_1, refined_z2), refined_x0 = refined_x0b - refined_x0c;
   const float found_0 = x0 + refined_x0;
   const float found_1 = x1 + refined_x1;
   const float found_2 = z2 + refined_z2;
@@ -15966,48 +16707,51 @@ static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
   const float l0_2 = A->at[0][3] / divisor0;
   const float l0_3 = A->at[0][4] / divisor0;
   const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
-  const float u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
-  const float u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
-  const float u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
-  const float u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const float u1_0a = KSL_MULF(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
+  const float u1_1a = KSL_MULF(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
+  const float u1_2a = KSL_MULF(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
+  const float u1_3a = KSL_MULF(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
+  const float u1_4a = KSL_MULF(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1_0 = u1_1 / divisor1;
   const float l1_1 = u1_2 / divisor1;
   const float l1_2 = u1_3 / divisor1;
   const float l1_3 = u1_4 / divisor1;
-  const float u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
-      u2_0 = u2_0b - u2_0c;
-  const float u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
-      u2_1 = u2_1b - u2_1c;
-  const float u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
-      u2_2 = u2_2b - u2_2c;
-  const float u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
-      u2_3 = u2_3b - u2_3c;
+  const float u2_0a = KSL_MULF(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
+      u2_0c = KSL_MULF(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
+  const float u2_1a = KSL_MULF(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
+      u2_1c = KSL_MULF(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
+  const float u2_2a = KSL_MULF(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
+      u2_2c = KSL_MULF(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
+  const float u2_3a = KSL_MULF(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
+      u2_3c = KSL_MULF(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2_0 = u2_1 / divisor2;
   const float l2_1 = u2_2 / divisor2;
   const float l2_2 = u2_3 / divisor2;
-  const float u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
-      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
-  const float u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
-      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
-  const float u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
-      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const float u3_0a = KSL_MULF(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
+      u3_0c = KSL_MULF(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MULF(u2_1, l2_0),
+      u3_0 = u3_0d - u3_0e;
+  const float u3_1a = KSL_MULF(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
+      u3_1c = KSL_MULF(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MULF(u2_2, l2_0),
+      u3_1 = u3_1d - u3_1e;
+  const float u3_2a = KSL_MULF(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
+      u3_2c = KSL_MULF(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MULF(u2_3, l2_0),
+      u3_2 = u3_2d - u3_2e;
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
   const float l3_0 = u3_1 / divisor3;
   const float l3_1 = u3_2 / divisor3;
-  const float u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
-      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
-      u4_0 = u4_0f - u4_0g;
-  const float u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
-      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
-      u4_1 = u4_1f - u4_1g;
+  const float u4_0a = KSL_MULF(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
+      u4_0c = KSL_MULF(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MULF(u2_2, l2_1),
+      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MULF(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
+  const float u4_1a = KSL_MULF(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
+      u4_1c = KSL_MULF(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MULF(u2_3, l2_1),
+      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MULF(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
-  const float u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3, u5d = u5b - u5c,
-      u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g, u5i = u4_1 * l4,
-      u5 = u5h - u5i;
+  const float u5a = KSL_MULF(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a,
+      u5c = KSL_MULF(u1_4, l1_3), u5d = u5b - u5c, u5e = KSL_MULF(u2_3, l2_2), u5f = u5d - u5e,
+      u5g = KSL_MULF(u3_2, l3_1), u5h = u5f - u5g, u5i = KSL_MULF(u4_1, l4), u5 = u5h - u5i;
   const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
   const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < A->at[1][1] ? part1a : A->at[1][1];
@@ -16070,30 +16814,37 @@ static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
-  const float y1a = L->at[0][1] * b->m0, y1 = b->m1 - y1a;
-  const float y2a = L->at[0][2] * b->m0, y2b = b->m2 - y2a, y2c = L->at[1][2] * y1, y2 = y2b - y2c;
-  const float y3a = L->at[0][3] * b->m0, y3b = b->m3 - y3a, y3c = L->at[1][3] * y1, y3d = y3b - y3c,
-      y3e = L->at[2][3] * y2, y3 = y3d - y3e;
-  const float y4a = L->at[0][4] * b->m0, y4b = b->m4 - y4a, y4c = L->at[1][4] * y1, y4d = y4b - y4c,
-      y4e = L->at[2][4] * y2, y4f = y4d - y4e, y4g = L->at[3][4] * y3, y4 = y4f - y4g;
-  const float y5a = L->at[0][5] * b->m0, y5b = b->m5 - y5a, y5c = L->at[1][5] * y1, y5d = y5b - y5c,
-      y5e = L->at[2][5] * y2, y5f = y5d - y5e, y5g = L->at[3][5] * y3, y5h = y5f - y5g,
-      y5i = L->at[4][5] * y4, y5 = y5h - y5i;
+  const float y1a = KSL_MULF(L->at[0][1], b->m0), y1 = b->m1 - y1a;
+  const float y2a = KSL_MULF(L->at[0][2], b->m0), y2b = b->m2 - y2a,
+      y2c = KSL_MULF(L->at[1][2], y1), y2 = y2b - y2c;
+  const float y3a = KSL_MULF(L->at[0][3], b->m0), y3b = b->m3 - y3a,
+      y3c = KSL_MULF(L->at[1][3], y1), y3d = y3b - y3c, y3e = KSL_MULF(L->at[2][3], y2),
+      y3 = y3d - y3e;
+  const float y4a = KSL_MULF(L->at[0][4], b->m0), y4b = b->m4 - y4a,
+      y4c = KSL_MULF(L->at[1][4], y1), y4d = y4b - y4c, y4e = KSL_MULF(L->at[2][4], y2),
+      y4f = y4d - y4e, y4g = KSL_MULF(L->at[3][4], y3), y4 = y4f - y4g;
+  const float y5a = KSL_MULF(L->at[0][5], b->m0), y5b = b->m5 - y5a,
+      y5c = KSL_MULF(L->at[1][5], y1), y5d = y5b - y5c, y5e = KSL_MULF(L->at[2][5], y2),
+      y5f = y5d - y5e, y5g = KSL_MULF(L->at[3][5], y3), y5h = y5f - y5g,
+      y5i = KSL_MULF(L->at[4][5], y4), y5 = y5h - y5i;
   const float z0 = b->m0 / L->at[0][0];
   const float z1 = y1 / L->at[1][1];
   const float z2 = y2 / L->at[2][2];
   const float z3 = y3 / L->at[3][3];
   const float z4 = y4 / L->at[4][4];
   const float z5 = y5 / L->at[5][5];
-  const float x4a = L->at[4][5] * z5, x4 = z4 - x4a;
-  const float x3a = L->at[3][4] * x4, x3b = z3 - x3a, x3c = L->at[3][5] * z5, x3 = x3b - x3c;
-  const float x2a = L->at[2][3] * x3, x2b = z2 - x2a, x2c = L->at[2][4] * x4, x2d = x2b - x2c,
-      x2e = L->at[2][5] * z5, x2 = x2d - x2e;
-  const float x1a = L->at[1][2] * x2, x1b = z1 - x1a, x1c = L->at[1][3] * x3, x1d = x1b - x1c,
-      x1e = L->at[1][4] * x4, x1f = x1d - x1e, x1g = L->at[1][5] * z5, x1 = x1f - x1g;
-  const float x0a = L->at[0][1] * x1, x0b = z0 - x0a, x0c = L->at[0][2] * x2, x0d = x0b - x0c,
-      x0e = L->at[0][3] * x3, x0f = x0d - x0e, x0g = L->at[0][4] * x4, x0h = x0f - x0g,
-      x0i = L->at[0][5] * z5, x0 = x0h - x0i;
+  const float x4a = KSL_MULF(L->at[4][5], z5), x4 = z4 - x4a;
+  const float x3a = KSL_MULF(L->at[3][4], x4), x3b = z3 - x3a, x3c = KSL_MULF(L->at[3][5], z5),
+      x3 = x3b - x3c;
+  const float x2a = KSL_MULF(L->at[2][3], x3), x2b = z2 - x2a, x2c = KSL_MULF(L->at[2][4], x4),
+      x2d = x2b - x2c, x2e = KSL_MULF(L->at[2][5], z5), x2 = x2d - x2e;
+  const float x1a = KSL_MULF(L->at[1][2], x2), x1b = z1 - x1a, x1c = KSL_MULF(L->at[1][3], x3),
+      x1d = x1b - x1c, x1e = KSL_MULF(L->at[1][4], x4), x1f = x1d - x1e,
+      x1g = KSL_MULF(L->at[1][5], z5), x1 = x1f - x1g;
+  const float x0a = KSL_MULF(L->at[0][1], x1), x0b = z0 - x0a, x0c = KSL_MULF(L->at[0][2], x2),
+      x0d = x0b - x0c, x0e = KSL_MULF(L->at[0][3], x3), x0f = x0d - x0e,
+      x0g = KSL_MULF(L->at[0][4], x4), x0h = x0f - x0g, x0i = KSL_MULF(L->at[0][5], z5),
+      x0 = x0h - x0i;
   x->m0 = x0;
   x->m1 = x1;
   x->m2 = x2;
@@ -16117,48 +16868,51 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float l0_2 = A->at[0][3] / divisor0;
   const float l0_3 = A->at[0][4] / divisor0;
   const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0a = A->at[0][1] * l0_0, u1_0 = A->at[1][1] - u1_0a;
-  const float u1_1a = A->at[0][2] * l0_0, u1_1 = A->at[1][2] - u1_1a;
-  const float u1_2a = A->at[0][3] * l0_0, u1_2 = A->at[1][3] - u1_2a;
-  const float u1_3a = A->at[0][4] * l0_0, u1_3 = A->at[1][4] - u1_3a;
-  const float u1_4a = A->at[0][5] * l0_0, u1_4 = A->at[1][5] - u1_4a;
+  const float u1_0a = KSL_MULF(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
+  const float u1_1a = KSL_MULF(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
+  const float u1_2a = KSL_MULF(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
+  const float u1_3a = KSL_MULF(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
+  const float u1_4a = KSL_MULF(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1_0 = u1_1 / divisor1;
   const float l1_1 = u1_2 / divisor1;
   const float l1_2 = u1_3 / divisor1;
   const float l1_3 = u1_4 / divisor1;
-  const float u2_0a = A->at[0][2] * l0_1, u2_0b = A->at[2][2] - u2_0a, u2_0c = u1_1 * l1_0,
-      u2_0 = u2_0b - u2_0c;
-  const float u2_1a = A->at[0][3] * l0_1, u2_1b = A->at[2][3] - u2_1a, u2_1c = u1_2 * l1_0,
-      u2_1 = u2_1b - u2_1c;
-  const float u2_2a = A->at[0][4] * l0_1, u2_2b = A->at[2][4] - u2_2a, u2_2c = u1_3 * l1_0,
-      u2_2 = u2_2b - u2_2c;
-  const float u2_3a = A->at[0][5] * l0_1, u2_3b = A->at[2][5] - u2_3a, u2_3c = u1_4 * l1_0,
-      u2_3 = u2_3b - u2_3c;
+  const float u2_0a = KSL_MULF(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
+      u2_0c = KSL_MULF(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
+  const float u2_1a = KSL_MULF(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
+      u2_1c = KSL_MULF(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
+  const float u2_2a = KSL_MULF(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
+      u2_2c = KSL_MULF(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
+  const float u2_3a = KSL_MULF(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
+      u2_3c = KSL_MULF(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2_0 = u2_1 / divisor2;
   const float l2_1 = u2_2 / divisor2;
   const float l2_2 = u2_3 / divisor2;
-  const float u3_0a = A->at[0][3] * l0_2, u3_0b = A->at[3][3] - u3_0a, u3_0c = u1_2 * l1_1,
-      u3_0d = u3_0b - u3_0c, u3_0e = u2_1 * l2_0, u3_0 = u3_0d - u3_0e;
-  const float u3_1a = A->at[0][4] * l0_2, u3_1b = A->at[3][4] - u3_1a, u3_1c = u1_3 * l1_1,
-      u3_1d = u3_1b - u3_1c, u3_1e = u2_2 * l2_0, u3_1 = u3_1d - u3_1e;
-  const float u3_2a = A->at[0][5] * l0_2, u3_2b = A->at[3][5] - u3_2a, u3_2c = u1_4 * l1_1,
-      u3_2d = u3_2b - u3_2c, u3_2e = u2_3 * l2_0, u3_2 = u3_2d - u3_2e;
+  const float u3_0a = KSL_MULF(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
+      u3_0c = KSL_MULF(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MULF(u2_1, l2_0),
+      u3_0 = u3_0d - u3_0e;
+  const float u3_1a = KSL_MULF(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
+      u3_1c = KSL_MULF(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MULF(u2_2, l2_0),
+      u3_1 = u3_1d - u3_1e;
+  const float u3_2a = KSL_MULF(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
+      u3_2c = KSL_MULF(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MULF(u2_3, l2_0),
+      u3_2 = u3_2d - u3_2e;
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
   const float l3_0 = u3_1 / divisor3;
   const float l3_1 = u3_2 / divisor3;
-  const float u4_0a = A->at[0][4] * l0_3, u4_0b = A->at[4][4] - u4_0a, u4_0c = u1_3 * l1_2,
-      u4_0d = u4_0b - u4_0c, u4_0e = u2_2 * l2_1, u4_0f = u4_0d - u4_0e, u4_0g = u3_1 * l3_0,
-      u4_0 = u4_0f - u4_0g;
-  const float u4_1a = A->at[0][5] * l0_3, u4_1b = A->at[4][5] - u4_1a, u4_1c = u1_4 * l1_2,
-      u4_1d = u4_1b - u4_1c, u4_1e = u2_3 * l2_1, u4_1f = u4_1d - u4_1e, u4_1g = u3_2 * l3_0,
-      u4_1 = u4_1f - u4_1g;
+  const float u4_0a = KSL_MULF(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
+      u4_0c = KSL_MULF(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MULF(u2_2, l2_1),
+      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MULF(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
+  const float u4_1a = KSL_MULF(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
+      u4_1c = KSL_MULF(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MULF(u2_3, l2_1),
+      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MULF(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
-  const float u5a = A->at[0][5] * l0_4, u5b = A->at[5][5] - u5a, u5c = u1_4 * l1_3, u5d = u5b - u5c,
-      u5e = u2_3 * l2_2, u5f = u5d - u5e, u5g = u3_2 * l3_1, u5h = u5f - u5g, u5i = u4_1 * l4,
-      u5 = u5h - u5i;
+  const float u5a = KSL_MULF(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a,
+      u5c = KSL_MULF(u1_4, l1_3), u5d = u5b - u5c, u5e = KSL_MULF(u2_3, l2_2), u5f = u5d - u5e,
+      u5g = KSL_MULF(u3_2, l3_1), u5h = u5f - u5g, u5i = KSL_MULF(u4_1, l4), u5 = u5h - u5i;
   const float divisor5 = 0.0f < u5 ? u5 : 1.0f;
   const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
   const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
@@ -16176,168 +16930,171 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
   const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
   const float smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const float less_0 = A->at[0][0] * 0.999997f;
-  const float less_1 = A->at[1][1] * 0.999997f;
-  const float less_2 = A->at[2][2] * 0.999997f;
-  const float less_3 = A->at[3][3] * 0.999997f;
-  const float less_4 = A->at[4][4] * 0.999997f;
-  const float less_5 = A->at[5][5] * 0.999997f;
+  const float less_0 = KSL_MULF(A->at[0][0], 0.999997f);
+  const float less_1 = KSL_MULF(A->at[1][1], 0.999997f);
+  const float less_2 = KSL_MULF(A->at[2][2], 0.999997f);
+  const float less_3 = KSL_MULF(A->at[3][3], 0.999997f);
+  const float less_4 = KSL_MULF(A->at[4][4], 0.999997f);
+  const float less_5 = KSL_MULF(A->at[5][5], 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
   const float less_l0_0 = A->at[0][1] / less_divisor0;
   const float less_l0_1 = A->at[0][2] / less_divisor0;
   const float less_l0_2 = A->at[0][3] / less_divisor0;
   const float less_l0_3 = A->at[0][4] / less_divisor0;
   const float less_l0_4 = A->at[0][5] / less_divisor0;
-  const float less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0 = less_1 - less_u1_0a;
-  const float less_u1_1a = A->at[0][2] * less_l0_0, less_u1_1 = A->at[1][2] - less_u1_1a;
-  const float less_u1_2a = A->at[0][3] * less_l0_0, less_u1_2 = A->at[1][3] - less_u1_2a;
-  const float less_u1_3a = A->at[0][4] * less_l0_0, less_u1_3 = A->at[1][4] - less_u1_3a;
-  const float less_u1_4a = A->at[0][5] * less_l0_0, less_u1_4 = A->at[1][5] - less_u1_4a;
+  const float less_u1_0a = KSL_MULF(A->at[0][1], less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const float less_u1_1a = KSL_MULF(A->at[0][2], less_l0_0), less_u1_1 = A->at[1][2] - less_u1_1a;
+  const float less_u1_2a = KSL_MULF(A->at[0][3], less_l0_0), less_u1_2 = A->at[1][3] - less_u1_2a;
+  const float less_u1_3a = KSL_MULF(A->at[0][4], less_l0_0), less_u1_3 = A->at[1][4] - less_u1_3a;
+  const float less_u1_4a = KSL_MULF(A->at[0][5], less_l0_0), less_u1_4 = A->at[1][5] - less_u1_4a;
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
   const float less_l1_0 = less_u1_1 / less_divisor1;
   const float less_l1_1 = less_u1_2 / less_divisor1;
   const float less_l1_2 = less_u1_3 / less_divisor1;
   const float less_l1_3 = less_u1_4 / less_divisor1;
-  const float less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0b = less_2 - less_u2_0a,
-      less_u2_0c = less_u1_1 * less_l1_0, less_u2_0 = less_u2_0b - less_u2_0c;
-  const float less_u2_1a = A->at[0][3] * less_l0_1, less_u2_1b = A->at[2][3] - less_u2_1a,
-      less_u2_1c = less_u1_2 * less_l1_0, less_u2_1 = less_u2_1b - less_u2_1c;
-  const float less_u2_2a = A->at[0][4] * less_l0_1, less_u2_2b = A->at[2][4] - less_u2_2a,
-      less_u2_2c = less_u1_3 * less_l1_0, less_u2_2 = less_u2_2b - less_u2_2c;
-  const float less_u2_3a = A->at[0][5] * less_l0_1, less_u2_3b = A->at[2][5] - less_u2_3a,
-      less_u2_3c = less_u1_4 * less_l1_0, less_u2_3 = less_u2_3b - less_u2_3c;
+  const float less_u2_0a = KSL_MULF(A->at[0][2], less_l0_1), less_u2_0b = less_2 - less_u2_0a,
+      less_u2_0c = KSL_MULF(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
+  const float less_u2_1a = KSL_MULF(A->at[0][3], less_l0_1), less_u2_1b = A->at[2][3] - less_u2_1a,
+      less_u2_1c = KSL_MULF(less_u1_2, less_l1_0), less_u2_1 = less_u2_1b - less_u2_1c;
+  const float less_u2_2a = KSL_MULF(A->at[0][4], less_l0_1), less_u2_2b = A->at[2][4] - less_u2_2a,
+      less_u2_2c = KSL_MULF(less_u1_3, less_l1_0), less_u2_2 = less_u2_2b - less_u2_2c;
+  const float less_u2_3a = KSL_MULF(A->at[0][5], less_l0_1), less_u2_3b = A->at[2][5] - less_u2_3a,
+      less_u2_3c = KSL_MULF(less_u1_4, less_l1_0), less_u2_3 = less_u2_3b - less_u2_3c;
   const float less_divisor2 = 0.0f < less_u2_0 ? less_u2_0 : 1.0f;
   const float less_l2_0 = less_u2_1 / less_divisor2;
   const float less_l2_1 = less_u2_2 / less_divisor2;
   const float less_l2_2 = less_u2_3 / less_divisor2;
-  const float less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0b = less_3 - less_u3_0a,
-      less_u3_0c = less_u1_2 * less_l1_1, less_u3_0d = less_u3_0b - less_u3_0c,
-      less_u3_0e = less_u2_1 * less_l2_0, less_u3_0 = less_u3_0d - less_u3_0e;
-  const float less_u3_1a = A->at[0][4] * less_l0_2, less_u3_1b = A->at[3][4] - less_u3_1a,
-      less_u3_1c = less_u1_3 * less_l1_1, less_u3_1d = less_u3_1b - less_u3_1c,
-      less_u3_1e = less_u2_2 * less_l2_0, less_u3_1 = less_u3_1d - less_u3_1e;
-  const float less_u3_2a = A->at[0][5] * less_l0_2, less_u3_2b = A->at[3][5] - less_u3_2a,
-      less_u3_2c = less_u1_4 * less_l1_1, less_u3_2d = less_u3_2b - less_u3_2c,
-      less_u3_2e = less_u2_3 * less_l2_0, less_u3_2 = less_u3_2d - less_u3_2e;
+  const float less_u3_0a = KSL_MULF(A->at[0][3], less_l0_2), less_u3_0b = less_3 - less_u3_0a,
+      less_u3_0c = KSL_MULF(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
+      less_u3_0e = KSL_MULF(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
+  const float less_u3_1a = KSL_MULF(A->at[0][4], less_l0_2), less_u3_1b = A->at[3][4] - less_u3_1a,
+      less_u3_1c = KSL_MULF(less_u1_3, less_l1_1), less_u3_1d = less_u3_1b - less_u3_1c,
+      less_u3_1e = KSL_MULF(less_u2_2, less_l2_0), less_u3_1 = less_u3_1d - less_u3_1e;
+  const float less_u3_2a = KSL_MULF(A->at[0][5], less_l0_2), less_u3_2b = A->at[3][5] - less_u3_2a,
+      less_u3_2c = KSL_MULF(less_u1_4, less_l1_1), less_u3_2d = less_u3_2b - less_u3_2c,
+      less_u3_2e = KSL_MULF(less_u2_3, less_l2_0), less_u3_2 = less_u3_2d - less_u3_2e;
   const float less_divisor3 = 0.0f < less_u3_0 ? less_u3_0 : 1.0f;
   const float less_l3_0 = less_u3_1 / less_divisor3;
   const float less_l3_1 = less_u3_2 / less_divisor3;
-  const float less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0b = less_4 - less_u4_0a,
-      less_u4_0c = less_u1_3 * less_l1_2, less_u4_0d = less_u4_0b - less_u4_0c,
-      less_u4_0e = less_u2_2 * less_l2_1, less_u4_0f = less_u4_0d - less_u4_0e,
-      less_u4_0g = less_u3_1 * less_l3_0, less_u4_0 = less_u4_0f - less_u4_0g;
-  const float less_u4_1a = A->at[0][5] * less_l0_3, less_u4_1b = A->at[4][5] - less_u4_1a,
-      less_u4_1c = less_u1_4 * less_l1_2, less_u4_1d = less_u4_1b - less_u4_1c,
-      less_u4_1e = less_u2_3 * less_l2_1, less_u4_1f = less_u4_1d - less_u4_1e,
-      less_u4_1g = less_u3_2 * less_l3_0, less_u4_1 = less_u4_1f - less_u4_1g;
+  const float less_u4_0a = KSL_MULF(A->at[0][4], less_l0_3), less_u4_0b = less_4 - less_u4_0a,
+      less_u4_0c = KSL_MULF(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
+      less_u4_0e = KSL_MULF(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
+      less_u4_0g = KSL_MULF(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
+  const float less_u4_1a = KSL_MULF(A->at[0][5], less_l0_3), less_u4_1b = A->at[4][5] - less_u4_1a,
+      less_u4_1c = KSL_MULF(less_u1_4, less_l1_2), less_u4_1d = less_u4_1b - less_u4_1c,
+      less_u4_1e = KSL_MULF(less_u2_3, less_l2_1), less_u4_1f = less_u4_1d - less_u4_1e,
+      less_u4_1g = KSL_MULF(less_u3_2, less_l3_0), less_u4_1 = less_u4_1f - less_u4_1g;
   const float less_divisor4 = 0.0f < less_u4_0 ? less_u4_0 : 1.0f;
   const float less_l4 = less_u4_1 / less_divisor4;
-  const float less_u5a = A->at[0][5] * less_l0_4, less_u5b = less_5 - less_u5a,
-      less_u5c = less_u1_4 * less_l1_3, less_u5d = less_u5b - less_u5c,
-      less_u5e = less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
-      less_u5g = less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
-      less_u5i = less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
+  const float less_u5a = KSL_MULF(A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
+      less_u5c = KSL_MULF(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
+      less_u5e = KSL_MULF(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
+      less_u5g = KSL_MULF(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,
+      less_u5i = KSL_MULF(less_u4_1, less_l4), less_u5 = less_u5h - less_u5i;
   const float regular_b = 0.0f < less_u5 ? 1.0f : 0.0f,
       regular_c = 0.0f < less_u4_0 ? regular_b : 0.0f,
       regular_d = 0.0f < less_u3_0 ? regular_c : 0.0f,
       regular_e = 0.0f < less_u2_0 ? regular_d : 0.0f,
       regular_f = 0.0f < less_u1_0 ? regular_e : 0.0f, regular = 0.0f < less_0 ? regular_f : 0.0f;
   const float least = smallest5 < 0.0f ? smallest5 : 0.0f;
-  const float y1a = b->m0 * l0_0, y1 = b->m1 - y1a;
-  const float y2a = b->m0 * l0_1, y2b = b->m2 - y2a, y2c = l1_0 * y1, y2 = y2b - y2c;
-  const float y3a = b->m0 * l0_2, y3b = b->m3 - y3a, y3c = l1_1 * y1, y3d = y3b - y3c,
-      y3e = l2_0 * y2, y3 = y3d - y3e;
-  const float y4a = b->m0 * l0_3, y4b = b->m4 - y4a, y4c = l1_2 * y1, y4d = y4b - y4c,
-      y4e = l2_1 * y2, y4f = y4d - y4e, y4g = l3_0 * y3, y4 = y4f - y4g;
-  const float y5a = b->m0 * l0_4, y5b = b->m5 - y5a, y5c = l1_3 * y1, y5d = y5b - y5c,
-      y5e = l2_2 * y2, y5f = y5d - y5e, y5g = l3_1 * y3, y5h = y5f - y5g, y5i = l4 * y4,
-      y5 = y5h - y5i;
+  const float y1a = KSL_MULF(b->m0, l0_0), y1 = b->m1 - y1a;
+  const float y2a = KSL_MULF(b->m0, l0_1), y2b = b->m2 - y2a, y2c = KSL_MULF(l1_0, y1),
+      y2 = y2b - y2c;
+  const float y3a = KSL_MULF(b->m0, l0_2), y3b = b->m3 - y3a, y3c = KSL_MULF(l1_1, y1),
+      y3d = y3b - y3c, y3e = KSL_MULF(l2_0, y2), y3 = y3d - y3e;
+  const float y4a = KSL_MULF(b->m0, l0_3), y4b = b->m4 - y4a, y4c = KSL_MULF(l1_2, y1),
+      y4d = y4b - y4c, y4e = KSL_MULF(l2_1, y2), y4f = y4d - y4e, y4g = KSL_MULF(l3_0, y3),
+      y4 = y4f - y4g;
+  const float y5a = KSL_MULF(b->m0, l0_4), y5b = b->m5 - y5a, y5c = KSL_MULF(l1_3, y1),
+      y5d = y5b - y5c, y5e = KSL_MULF(l2_2, y2), y5f = y5d - y5e, y5g = KSL_MULF(l3_1, y3),
+      y5h = y5f - y5g, y5i = KSL_MULF(l4, y4), y5 = y5h - y5i;
   const float z0 = b->m0 / divisor0;
   const float z1 = y1 / divisor1;
   const float z2 = y2 / divisor2;
   const float z3 = y3 / divisor3;
   const float z4 = y4 / divisor4;
   const float z5 = y5 / divisor5;
-  const float x4a = l4 * z5, x4 = z4 - x4a;
-  const float x3a = l3_0 * x4, x3b = z3 - x3a, x3c = l3_1 * z5, x3 = x3b - x3c;
-  const float x2a = l2_0 * x3, x2b = z2 - x2a, x2c = l2_1 * x4, x2d = x2b - x2c, x2e = l2_2 * z5,
-      x2 = x2d - x2e;
-  const float x1a = l1_0 * x2, x1b = z1 - x1a, x1c = l1_1 * x3, x1d = x1b - x1c, x1e = l1_2 * x4,
-      x1f = x1d - x1e, x1g = l1_3 * z5, x1 = x1f - x1g;
-  const float x0a = l0_0 * x1, x0b = z0 - x0a, x0c = l0_1 * x2, x0d = x0b - x0c, x0e = l0_2 * x3,
-      x0f = x0d - x0e, x0g = l0_3 * x4, x0h = x0f - x0g, x0i = l0_4 * z5, x0 = x0h - x0i;
-  const float residual_0a = A->at[0][0] * x0, residual_0b = b->m0 - residual_0a,
-      residual_0c = A->at[0][1] * x1, residual_0d = residual_0b - residual_0c,
-      residual_0e = A->at[0][2] * x2, residual_0f = residual_0d - residual_0e,
-      residual_0g = A->at[0][3] * x3, residual_0h = residual_0f - residual_0g,
-      residual_0i = A->at[0][4] * x4, residual_0j = residual_0h - residual_0i,
-      residual_0k = A->at[0][5] * z5, residual_0 = residual_0j - residual_0k;
-  const float residual_1a = A->at[0][1] * x0, residual_1b = b->m1 - residual_1a,
-      residual_1c = A->at[1][1] * x1, residual_1d = residual_1b - residual_1c,
-      residual_1e = A->at[1][2] * x2, residual_1f = residual_1d - residual_1e,
-      residual_1g = A->at[1][3] * x3, residual_1h = residual_1f - residual_1g,
-      residual_1i = A->at[1][4] * x4, residual_1j = residual_1h - residual_1i,
-      residual_1k = A->at[1][5] * z5, residual_1 = residual_1j - residual_1k;
-  const float residual_2a = A->at[0][2] * x0, residual_2b = b->m2 - residual_2a,
-      residual_2c = A->at[1][2] * x1, residual_2d = residual_2b - residual_2c,
-      residual_2e = A->at[2][2] * x2, residual_2f = residual_2d - residual_2e,
-      residual_2g = A->at[2][3] * x3, residual_2h = residual_2f - residual_2g,
-      residual_2i = A->at[2][4] * x4, residual_2j = residual_2h - residual_2i,
-      residual_2k = A->at[2][5] * z5, residual_2 = residual_2j - residual_2k;
-  const float residual_3a = A->at[0][3] * x0, residual_3b = b->m3 - residual_3a,
-      residual_3c = A->at[1][3] * x1, residual_3d = residual_3b - residual_3c,
-      residual_3e = A->at[2][3] * x2, residual_3f = residual_3d - residual_3e,
-      residual_3g = A->at[3][3] * x3, residual_3h = residual_3f - residual_3g,
-      residual_3i = A->at[3][4] * x4, residual_3j = residual_3h - residual_3i,
-      residual_3k = A->at[3][5] * z5, residual_3 = residual_3j - residual_3k;
-  const float residual_4a = A->at[0][4] * x0, residual_4b = b->m4 - residual_4a,
-      residual_4c = A->at[1][4] * x1, residual_4d = residual_4b - residual_4c,
-      residual_4e = A->at[2][4] * x2, residual_4f = residual_4d - residual_4e,
-      residual_4g = A->at[3][4] * x3, residual_4h = residual_4f - residual_4g,
-      residual_4i = A->at[4][4] * x4, residual_4j = residual_4h - residual_4i,
-      residual_4k = A->at[4][5] * z5, residual_4 = residual_4j - residual_4k;
-  const float residual_5a = A->at[0][5] * x0, residual_5b = b->m5 - residual_5a,
-      residual_5c = A->at[1][5] * x1, residual_5d = residual_5b - residual_5c,
-      residual_5e = A->at[2][5] * x2, residual_5f = residual_5d - residual_5e,
-      residual_5g = A->at[3][5] * x3, residual_5h = residual_5f - residual_5g,
-      residual_5i = A->at[4][5] * x4, residual_5j = residual_5h - residual_5i,
-      residual_5k = A->at[5][5] * z5, residual_5 = residual_5j - residual_5k;
-  const float refined_y1a = l0_0 * residual_0, refined_y1 = residual_1 - refined_y1a;
-  const float refined_y2a = l0_1 * residual_0, refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = l1_0 * refined_y1, refined_y2 = refined_y2b - refined_y2c;
-  const float refined_y3a = l0_2 * residual_0, refined_y3b = residual_3 - refined_y3a,
-      refined_y3c = l1_1 * refined_y1, refined_y3d = refined_y3b - refined_y3c,
-      refined_y3e = l2_0 * refined_y2, refined_y3 = refined_y3d - refined_y3e;
-  const float refined_y4a = l0_3 * residual_0, refined_y4b = residual_4 - refined_y4a,
-      refined_y4c = l1_2 * refined_y1, refined_y4d = refined_y4b - refined_y4c,
-      refined_y4e = l2_1 * refined_y2, refined_y4f = refined_y4d - refined_y4e,
-      refined_y4g = l3_0 * refined_y3, refined_y4 = refined_y4f - refined_y4g;
-  const float refined_y5a = l0_4 * residual_0, refined_y5b = residual_5 - refined_y5a,
-      refined_y5c = l1_3 * refined_y1, refined_y5d = refined_y5b - refined_y5c,
-      refined_y5e = l2_2 * refined_y2, refined_y5f = refined_y5d - refined_y5e,
-      refined_y5g = l3_1 * refined_y3, refined_y5h = refined_y5f - refined_y5g,
-      refined_y5i = l4 * refined_y4, refined_y5 = refined_y5h - refined_y5i;
+  const float x4a = KSL_MULF(l4, z5), x4 = z4 - x4a;
+  const float x3a = KSL_MULF(l3_0, x4), x3b = z3 - x3a, x3c = KSL_MULF(l3_1, z5), x3 = x3b - x3c;
+  const float x2a = KSL_MULF(l2_0, x3), x2b = z2 - x2a, x2c = KSL_MULF(l2_1, x4), x2d = x2b - x2c,
+      x2e = KSL_MULF(l2_2, z5), x2 = x2d - x2e;
+  const float x1a = KSL_MULF(l1_0, x2), x1b = z1 - x1a, x1c = KSL_MULF(l1_1, x3), x1d = x1b - x1c,
+      x1e = KSL_MULF(l1_2, x4), x1f = x1d - x1e, x1g = KSL_MULF(l1_3, z5), x1 = x1f - x1g;
+  const float x0a = KSL_MULF(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MULF(l0_1, x2), x0d = x0b - x0c,
+      x0e = KSL_MULF(l0_2, x3), x0f = x0d - x0e, x0g = KSL_MULF(l0_3, x4), x0h = x0f - x0g,
+      x0i = KSL_MULF(l0_4, z5), x0 = x0h - x0i;
+  const float residual_0a = KSL_MULF(A->at[0][0], x0), residual_0b = b->m0 - residual_0a,
+      residual_0c = KSL_MULF(A->at[0][1], x1), residual_0d = residual_0b - residual_0c,
+      residual_0e = KSL_MULF(A->at[0][2], x2), residual_0f = residual_0d - residual_0e,
+      residual_0g = KSL_MULF(A->at[0][3], x3), residual_0h = residual_0f - residual_0g,
+      residual_0i = KSL_MULF(A->at[0][4], x4), residual_0j = residual_0h - residual_0i,
+      residual_0k = KSL_MULF(A->at[0][5], z5), residual_0 = residual_0j - residual_0k;
+  const float residual_1a = KSL_MULF(A->at[0][1], x0), residual_1b = b->m1 - residual_1a,
+      residual_1c = KSL_MULF(A->at[1][1], x1), residual_1d = residual_1b - residual_1c,
+      residual_1e = KSL_MULF(A->at[1][2], x2), residual_1f = residual_1d - residual_1e,
+      residual_1g = KSL_MULF(A->at[1][3], x3), residual_1h = residual_1f - residual_1g,
+      residual_1i = KSL_MULF(A->at[1][4], x4), residual_1j = residual_1h - residual_1i,
+      residual_1k = KSL_MULF(A->at[1][5], z5), residual_1 = residual_1j - residual_1k;
+  const float residual_2a = KSL_MULF(A->at[0][2], x0), residual_2b = b->m2 - residual_2a,
+      residual_2c = KSL_MULF(A->at[1][2], x1), residual_2d = residual_2b - residual_2c,
+      residual_2e = KSL_MULF(A->at[2][2], x2), residual_2f = residual_2d - residual_2e,
+      residual_2g = KSL_MULF(A->at[2][3], x3), residual_2h = residual_2f - residual_2g,
+      residual_2i = KSL_MULF(A->at[2][4], x4), residual_2j = residual_2h - residual_2i,
+      residual_2k = KSL_MULF(A->at[2][5], z5), residual_2 = residual_2j - residual_2k;
+  const float residual_3a = KSL_MULF(A->at[0][3], x0), residual_3b = b->m3 - residual_3a,
+      residual_3c = KSL_MULF(A->at[1][3], x1), residual_3d = residual_3b - residual_3c,
+      residual_3e = KSL_MULF(A->at[2][3], x2), residual_3f = residual_3d - residual_3e,
+      residual_3g = KSL_MULF(A->at[3][3], x3), residual_3h = residual_3f - residual_3g,
+      residual_3i = KSL_MULF(A->at[3][4], x4), residual_3j = residual_3h - residual_3i,
+      residual_3k = KSL_MULF(A->at[3][5], z5), residual_3 = residual_3j - residual_3k;
+  const float residual_4a = KSL_MULF(A->at[0][4], x0), residual_4b = b->m4 - residual_4a,
+      residual_4c = KSL_MULF(A->at[1][4], x1), residual_4d = residual_4b - residual_4c,
+      residual_4e = KSL_MULF(A->at[2][4], x2), residual_4f = residual_4d - residual_4e,
+      residual_4g = KSL_MULF(A->at[3][4], x3), residual_4h = residual_4f - residual_4g,
+      residual_4i = KSL_MULF(A->at[4][4], x4), residual_4j = residual_4h - residual_4i,
+      residual_4k = KSL_MULF(A->at[4][5], z5), residual_4 = residual_4j - residual_4k;
+  const float residual_5a = KSL_MULF(A->at[0][5], x0), residual_5b = b->m5 - residual_5a,
+      residual_5c = KSL_MULF(A->at[1][5], x1), residual_5d = residual_5b - residual_5c,
+      residual_5e = KSL_MULF(A->at[2][5], x2), residual_5f = residual_5d - residual_5e,
+      residual_5g = KSL_MULF(A->at[3][5], x3), residual_5h = residual_5f - residual_5g,
+      residual_5i = KSL_MULF(A->at[4][5], x4), residual_5j = residual_5h - residual_5i,
+      residual_5k = KSL_MULF(A->at[5][5], z5), residual_5 = residual_5j - residual_5k;
+  const float refined_y1a = KSL_MULF(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
+  const float refined_y2a = KSL_MULF(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
+      refined_y2c = KSL_MULF(l1_0, refined_y1), refined_y2 = refined_y2b - refined_y2c;
+  const float refined_y3a = KSL_MULF(l0_2, residual_0), refined_y3b = residual_3 - refined_y3a,
+      refined_y3c = KSL_MULF(l1_1, refined_y1), refined_y3d = refined_y3b - refined_y3c,
+      refined_y3e = KSL_MULF(l2_0, refined_y2), refined_y3 = refined_y3d - refined_y3e;
+  const float refined_y4a = KSL_MULF(l0_3, residual_0), refined_y4b = residual_4 - refined_y4a,
+      refined_y4c = KSL_MULF(l1_2, refined_y1), refined_y4d = refined_y4b - refined_y4c,
+      refined_y4e = KSL_MULF(l2_1, refined_y2), refined_y4f = refined_y4d - refined_y4e,
+      refined_y4g = KSL_MULF(l3_0, refined_y3), refined_y4 = refined_y4f - refined_y4g;
+  const float refined_y5a = KSL_MULF(l0_4, residual_0), refined_y5b = residual_5 - refined_y5a,
+      refined_y5c = KSL_MULF(l1_3, refined_y1), refined_y5d = refined_y5b - refined_y5c,
+      refined_y5e = KSL_MULF(l2_2, refined_y2), refined_y5f = refined_y5d - refined_y5e,
+      refined_y5g = KSL_MULF(l3_1, refined_y3), refined_y5h = refined_y5f - refined_y5g,
+      refined_y5i = KSL_MULF(l4, refined_y4), refined_y5 = refined_y5h - refined_y5i;
   const float refined_z0 = residual_0 / divisor0;
   const float refined_z1 = refined_y1 / divisor1;
   const float refined_z2 = refined_y2 / divisor2;
   const float refined_z3 = refined_y3 / divisor3;
   const float refined_z4 = refined_y4 / divisor4;
   const float refined_z5 = refined_y5 / divisor5;
-  const float refined_x4a = l4 * refined_z5, refined_x4 = refined_z4 - refined_x4a;
-  const float refined_x3a = l3_0 * refined_x4, refined_x3b = refined_z3 - refined_x3a,
-      refined_x3c = l3_1 * refined_z5, refined_x3 = refined_x3b - refined_x3c;
-  const float refined_x2a = l2_0 * refined_x3, refined_x2b = refined_z2 - refined_x2a,
-      refined_x2c = l2_1 * refined_x4, refined_x2d = refined_x2b - refined_x2c,
-      refined_x2e = l2_2 * refined_z5, refined_x2 = refined_x2d - refined_x2e;
-  const float refined_x1a = l1_0 * refined_x2, refined_x1b = refined_z1 - refined_x1a,
-      refined_x1c = l1_1 * refined_x3, refined_x1d = refined_x1b - refined_x1c,
-      refined_x1e = l1_2 * refined_x4, refined_x1f = refined_x1d - refined_x1e,
-      refined_x1g = l1_3 * refined_z5, refined_x1 = refined_x1f - refined_x1g;
-  const float refined_x0a = l0_0 * refined_x1, refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = l0_1 * refined_x2, refined_x0d = refined_x0b - refined_x0c,
-      refined_x0e = l0_2 * refined_x3, refined_x0f = refined_x0d - refined_x0e,
-      refined_x0g = l0_3 * refined_x4, refined_x0h = refined_x0f - refined_x0g,
-      refined_x0i = l0_4 * refined_z5, refined_x0 = refined_x0h - refined_x0i;
+  const float refined_x4a = KSL_MULF(l4, refined_z5), refined_x4 = refined_z4 - refined_x4a;
+  const float refined_x3a = KSL_MULF(l3_0, refined_x4), refined_x3b = refined_z3 - refined_x3a,
+      refined_x3c = KSL_MULF(l3_1, refined_z5), refined_x3 = refined_x3b - refined_x3c;
+  const float refined_x2a = KSL_MULF(l2_0, refined_x3), refined_x2b = refined_z2 - refined_x2a,
+      refined_x2c = KSL_MULF(l2_1, refined_x4), refined_x2d = refined_x2b - refined_x2c,
+      refined_x2e = KSL_MULF(l2_2, refined_z5), refined_x2 = refined_x2d - refined_x2e;
+  const float refined_x1a = KSL_MULF(l1_0, refined_x2), refined_x1b = refined_z1 - refined_x1a,
+      refined_x1c = KSL_MULF(l1_1, refined_x3), refined_x1d = refined_x1b - refined_x1c,
+      refined_x1e = KSL_MULF(l1_2, refined_x4), refined_x1f = refined_x1d - refined_x1e,
+      refined_x1g = KSL_MULF(l1_3, refined_z5), refined_x1 = refined_x1f - refined_x1g;
+  const float refined_x0a = KSL_MULF(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
+      refined_x0c = KSL_MULF(l0_1, refined_x2), refined_x0d = refined_x0b - refined_x0c,
+      refined_x0e = KSL_MULF(l0_2, refined_x3), refined_x0f = refined_x0d - refined_x0e,
+      refined_x0g = KSL_MULF(l0_3, refined_x4), refined_x0h = refined_x0f - refined_x0g,
+      refined_x0i = KSL_MULF(l0_4, refined_z5), refined_x0 = refined_x0h - refined_x0i;
   const float found_0 = x0 + refined_x0;
   const float found_1 = x1 + refined_x1;
   const float found_2 = x2 + refined_x2;
@@ -16419,16 +17176,16 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Bi, ksl_inertia_t *Bo) 
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_scale(ksl_inertia_t *self, const double a) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -16507,18 +17264,18 @@ static inline void ksl_subtract_BB(const ksl_inertia_t *B1, const ksl_inertia_t 
      formula; barring over- and underflow. */
 static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -16553,15 +17310,15 @@ static inline void ksl_inertia_about_com(const ksl_inertia_t *B, ksl_mat3x3_t *R
   const double c_0 = B->h.x / B->m;
   const double c_1 = B->h.y / B->m;
   const double c_2 = B->h.z / B->m;
-  const double squares_0 = B->h.x * c_0;
-  const double squares_1 = B->h.y * c_1;
-  const double squares_2 = B->h.z * c_2;
+  const double squares_0 = KSL_MUL(B->h.x, c_0);
+  const double squares_1 = KSL_MUL(B->h.y, c_1);
+  const double squares_2 = KSL_MUL(B->h.z, c_2);
   const double about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
   const double about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
   const double about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const double about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
-  const double about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
-  const double about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  const double about_3a = KSL_MUL(B->h.x, c_1), about_3 = about_3a + B->xy;
+  const double about_4a = KSL_MUL(B->h.x, c_2), about_4 = about_4a + B->xz;
+  const double about_5a = KSL_MUL(B->h.y, c_2), about_5 = about_5a + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -16637,21 +17394,24 @@ static inline void ksl_inertia_matrix(const ksl_inertia_t *B, ksl_mat6x6_t *Mo) 
    Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, ksl_coscrew_t *co) {
-  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -16667,29 +17427,29 @@ static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, 
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const double twice_across_0 = 2.0 * across_0;
-  const double twice_across_1 = 2.0 * across_1;
-  const double twice_across_2 = 2.0 * across_2;
-  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   return energy;
 }
 
@@ -16701,27 +17461,30 @@ static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = B->h.x + half_0;
   const double n_1 = B->h.y + half_1;
   const double n_2 = B->h.z + half_2;
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -16752,72 +17515,75 @@ static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t 
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = turned_1 + half_0;
   const double n_1 = turned_2 + half_1;
   const double n_2 = turned_3 + half_2;
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -16846,8 +17612,8 @@ static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
-  const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
-      trace_d = 0.5 * B->zz, trace = trace_c + trace_d;
+  const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
+      trace_c = trace_a + trace_b, trace_d = KSL_MUL(0.5, B->zz), trace = trace_c + trace_d;
   const double sigma_0 = trace - B->xx;
   const double sigma_1 = trace - B->yy;
   const double sigma_2 = trace - B->zz;
@@ -16855,20 +17621,20 @@ static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
   const double l0_0 = B->h.x / divisor0;
   const double l0_1 = B->h.y / divisor0;
   const double l0_2 = B->h.z / divisor0;
-  const double u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
-  const double u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const double u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const double u1_0a = KSL_MUL(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
+  const double u1_1a = KSL_MUL(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const double u1_2a = KSL_MUL(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
-  const double u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+  const double u2_0a = KSL_MUL(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MUL(u1_1, l1_0),
       u2_0 = u2_0b - u2_0c;
-  const double u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+  const double u2_1a = KSL_MUL(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MUL(u1_2, l1_0),
       u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
-  const double u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
-      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const double u3a = KSL_MUL(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),
+      u3d = u3b - u3c, u3e = KSL_MUL(u2_1, l2), u3 = u3d - u3e;
   const double part0a = B->m / divisor0, part0 = 0.0 < B->m ? part0a : B->m;
   const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
@@ -16934,16 +17700,16 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Bi, ksl_inertiaf_t *B
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_scale(ksl_inertiaf_t *self, const float a) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -17023,18 +17789,18 @@ static inline void ksl_subtract_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -17069,15 +17835,15 @@ static inline void ksl_inertiaf_about_com(const ksl_inertiaf_t *B, ksl_mat3x3f_t
   const float c_0 = B->h.x / B->m;
   const float c_1 = B->h.y / B->m;
   const float c_2 = B->h.z / B->m;
-  const float squares_0 = B->h.x * c_0;
-  const float squares_1 = B->h.y * c_1;
-  const float squares_2 = B->h.z * c_2;
+  const float squares_0 = KSL_MULF(B->h.x, c_0);
+  const float squares_1 = KSL_MULF(B->h.y, c_1);
+  const float squares_2 = KSL_MULF(B->h.z, c_2);
   const float about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
   const float about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
   const float about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const float about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
-  const float about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
-  const float about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  const float about_3a = KSL_MULF(B->h.x, c_1), about_3 = about_3a + B->xy;
+  const float about_4a = KSL_MULF(B->h.x, c_2), about_4 = about_4a + B->xz;
+  const float about_5a = KSL_MULF(B->h.y, c_2), about_5 = about_5a + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -17154,21 +17920,24 @@ static inline void ksl_inertiaf_matrix(const ksl_inertiaf_t *B, ksl_mat6x6f_t *M
      barring over- and underflow. */
 static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -17184,29 +17953,29 @@ static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const float twice_across_0 = 2.0f * across_0;
-  const float twice_across_1 = 2.0f * across_1;
-  const float twice_across_2 = 2.0f * across_2;
-  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float twice_across_0 = KSL_MULF(2.0f, across_0);
+  const float twice_across_1 = KSL_MULF(2.0f, across_1);
+  const float twice_across_2 = KSL_MULF(2.0f, across_2);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = KSL_MULF(0.5f, twice);
   return energy;
 }
 
@@ -17218,27 +17987,30 @@ static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = B->h.x + half_0;
   const float n_1 = B->h.y + half_1;
   const float n_2 = B->h.z + half_2;
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -17269,72 +18041,75 @@ static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = turned_1 + half_0;
   const float n_1 = turned_2 + half_1;
   const float n_2 = turned_3 + half_2;
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;
@@ -17363,8 +18138,8 @@ static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inert
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
-  const float trace_a = 0.5f * B->xx, trace_b = 0.5f * B->yy, trace_c = trace_a + trace_b,
-      trace_d = 0.5f * B->zz, trace = trace_c + trace_d;
+  const float trace_a = KSL_MULF(0.5f, B->xx), trace_b = KSL_MULF(0.5f, B->yy),
+      trace_c = trace_a + trace_b, trace_d = KSL_MULF(0.5f, B->zz), trace = trace_c + trace_d;
   const float sigma_0 = trace - B->xx;
   const float sigma_1 = trace - B->yy;
   const float sigma_2 = trace - B->zz;
@@ -17372,20 +18147,20 @@ static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
   const float l0_0 = B->h.x / divisor0;
   const float l0_1 = B->h.y / divisor0;
   const float l0_2 = B->h.z / divisor0;
-  const float u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
-  const float u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const float u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const float u1_0a = KSL_MULF(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
+  const float u1_1a = KSL_MULF(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const float u1_2a = KSL_MULF(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1_0 = u1_1 / divisor1;
   const float l1_1 = u1_2 / divisor1;
-  const float u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+  const float u2_0a = KSL_MULF(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MULF(u1_1, l1_0),
       u2_0 = u2_0b - u2_0c;
-  const float u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+  const float u2_1a = KSL_MULF(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MULF(u1_2, l1_0),
       u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2 = u2_1 / divisor2;
-  const float u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
-      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const float u3a = KSL_MULF(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MULF(u1_2, l1_1),
+      u3d = u3b - u3c, u3e = KSL_MULF(u2_1, l2), u3 = u3d - u3e;
   const float part0a = B->m / divisor0, part0 = 0.0f < B->m ? part0a : B->m;
   const float own1 = 0.0f < sigma_0 ? sigma_0 : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < sigma_0 ? part1a : sigma_0;
@@ -17418,59 +18193,104 @@ static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
 
 #endif
 
-/* Detects a build that breaks the promised bits. */
+/* Detects at run time a build that breaks the promised bits. */
 #ifndef KSL_SELFCHECK_H
 #define KSL_SELFCHECK_H
 
 
 /* NULL if arithmetic on double is rounded operation by operation where this is compiled; else
-   what is wrong.  Looks at contraction, reassociation, flush-to-zero and excess precision. */
+   what is wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, signs of
+   zeros and NaN that get lost, approximate functions, flush-to-zero, excess precision, and an fma
+   (which the fused tier calls) that rounds twice. */
 static inline const char *ksl_selfcheck(void) {
-  const volatile double given[] = {1.0000000074505806, 1.0000000149011612, 2.2250738585072014e-308,
-      1.7976931348623157e+308, 0.5, 1.0, 1.110223057712381e-16};
-  const double x = given[0], nearly_square = given[1], smallest = given[2], largest = given[3];
-  const double half = given[4], one = given[5], above_half_ulp = given[6];
-  const double square = x * x, low = square - nearly_square;
+  const volatile double given[] = {0.0, 0.5, 1.0, 2.0, 1.0000000074505806, 1.0000000149011612,
+      2.2250738585072014e-308, 1.7976931348623157e+308, 1.110223057712381e-16, 1.4142135623730951,
+      49.0, 134217729.0, 2.417851693272454e+24};
+  const double zero = given[0], half = given[1], one = given[2], two = given[3], x = given[4],
+      nearly_square = given[5], smallest = given[6], largest = given[7], above_half_ulp = given[8],
+      root = given[9], n = given[10], m = given[11], rounded_twice = given[12];
+  const double square = KSL_MUL(x, x), low = square - nearly_square;
   const double sum = one + smallest, difference = sum - one;
-  const double smaller = smallest * half;
-  const double twice = largest + largest, back = twice * half, next = one + above_half_ulp;
+  const double first = n / n, twice = n + n, second = twice / n, third = twice + twice;
+  const double fourth = third / n, positive = -zero + 0.0, nan = zero / zero;
+  const double smaller = KSL_MUL(smallest, half), normal = KSL_MUL(smaller, two);
+  const double infinity = largest + largest, back = KSL_MUL(infinity, half);
+  const double next = one + above_half_ulp;
   if (low != 0) {
     return "contraction: a product and a sum are fused; compile with -ffp-contract=off";
   }
   if (difference != 0) {
-    return "reassociation: sums are reordered; compile without -ffast-math";
+    return "reassociation: sums are reordered; compile without -fassociative-math, -ffast-math";
   }
-  if (smaller == 0) {
-    return "flush-to-zero: subnormal results become zero; link without -ffast-math";
+  if (first != 1 || second != 2 || fourth != 4) {
+    return "reciprocals: quotients are products; compile without -freciprocal-math, -ffast-math";
+  }
+  if (memcmp(&positive, &zero, sizeof zero) != 0) {
+    return "signed zeros: -0 + 0 is -0; compile without -fno-signed-zeros, -ffast-math";
+  }
+  if (nan == nan || infinity != (double)INFINITY) {
+    return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
+           "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
+  }
+  if (pow(m, 3) == rounded_twice || sqrt(two) != root) {
+    return "approximate functions: compile without -fapprox-func, -ffast-math";
+  }
+  if (smaller == 0 || normal != smallest) {
+    return "flush-to-zero: subnormal numbers become zero; link without -ffast-math";
   }
   if (back == largest || next == one) {
     return "excess precision: results are rounded twice, or not to their type (x87)";
+  }
+  if (fma(x, x, -nearly_square) == 0) {
+    return "fma: the C library's rounds twice, and so does the fused tier";
   }
   return NULL;
 }
 
 /* NULL if arithmetic on float is rounded operation by operation where this is compiled; else
-   what is wrong.  Looks at contraction, reassociation, flush-to-zero and excess precision. */
+   what is wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, signs of
+   zeros and NaN that get lost, approximate functions, flush-to-zero, excess precision, and an fma
+   (which the fused tier calls) that rounds twice. */
 static inline const char *ksl_selfcheckf(void) {
-  const volatile float given[] = {1.0002441f, 1.0004883f, 1.1754944e-38f, 3.4028235e+38f, 0.5f,
-      1.0f, 5.963375e-08f};
-  const float x = given[0], nearly_square = given[1], smallest = given[2], largest = given[3];
-  const float half = given[4], one = given[5], above_half_ulp = given[6];
-  const float square = x * x, low = square - nearly_square;
+  const volatile float given[] = {0.0f, 0.5f, 1.0f, 2.0f, 1.0002441f, 1.0004883f, 1.1754944e-38f,
+      3.4028235e+38f, 5.963375e-08f, 1.4142135f, 41.0f, 4109.0f, 6.937586e+10f};
+  const float zero = given[0], half = given[1], one = given[2], two = given[3], x = given[4],
+      nearly_square = given[5], smallest = given[6], largest = given[7], above_half_ulp = given[8],
+      root = given[9], n = given[10], m = given[11], rounded_twice = given[12];
+  const float square = KSL_MULF(x, x), low = square - nearly_square;
   const float sum = one + smallest, difference = sum - one;
-  const float smaller = smallest * half;
-  const float twice = largest + largest, back = twice * half, next = one + above_half_ulp;
+  const float first = n / n, twice = n + n, second = twice / n, third = twice + twice;
+  const float fourth = third / n, positive = -zero + 0.0f, nan = zero / zero;
+  const float smaller = KSL_MULF(smallest, half), normal = KSL_MULF(smaller, two);
+  const float infinity = largest + largest, back = KSL_MULF(infinity, half);
+  const float next = one + above_half_ulp;
   if (low != 0) {
     return "contraction: a product and a sum are fused; compile with -ffp-contract=off";
   }
   if (difference != 0) {
-    return "reassociation: sums are reordered; compile without -ffast-math";
+    return "reassociation: sums are reordered; compile without -fassociative-math, -ffast-math";
   }
-  if (smaller == 0) {
-    return "flush-to-zero: subnormal results become zero; link without -ffast-math";
+  if (first != 1 || second != 2 || fourth != 4) {
+    return "reciprocals: quotients are products; compile without -freciprocal-math, -ffast-math";
+  }
+  if (memcmp(&positive, &zero, sizeof zero) != 0) {
+    return "signed zeros: -0 + 0 is -0; compile without -fno-signed-zeros, -ffast-math";
+  }
+  if (nan == nan || infinity != (float)INFINITY) {
+    return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
+           "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
+  }
+  if (powf(m, 3) == rounded_twice || sqrtf(two) != root) {
+    return "approximate functions: compile without -fapprox-func, -ffast-math";
+  }
+  if (smaller == 0 || normal != smallest) {
+    return "flush-to-zero: subnormal numbers become zero; link without -ffast-math";
   }
   if (back == largest || next == one) {
     return "excess precision: results are rounded twice, or not to their type (x87)";
+  }
+  if (fmaf(x, x, -nearly_square) == 0) {
+    return "fma: the C library's rounds twice, and so does the fused tier";
   }
   return NULL;
 }

@@ -4,6 +4,118 @@
 /* All headers of certified kernels in one file, for vendoring; it may be included together with
    them. */
 
+/* What keeps every operation rounded once, in the order written, under every flag that compiles.
+   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+#ifndef KSL_ROUNDING_H
+#define KSL_ROUNDING_H
+
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__NO_SIGNED_ZEROS__)
+#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
+    (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
+#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#endif
+
+/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
+#if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
+    defined(__s390x__) || defined(__powerpc64__) || \
+    (defined(__riscv_flen) && __riscv_flen >= 64) || \
+    (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
+#endif
+#ifndef KSL_HAS_FMAF
+#if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
+#define KSL_HAS_FMAF 1
+#else
+#define KSL_HAS_FMAF 0
+#endif
+#endif
+
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#endif
+
+#ifndef KSL_MUL
+/* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline double ksl_minus_zero(void) {
+  double zero = -0.0;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MUL(a, b) ((a) * (b))
+#endif
+#endif
+
+#ifndef KSL_MULF
+/* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline float ksl_minus_zerof(void) {
+  float zero = -0.0f;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MULF(a, b) ((a) * (b))
+#endif
+#endif
+
+#endif
+
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -12,8 +124,7 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
-   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+   that results are the same bits everywhere, under every flag that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -23,15 +134,6 @@
 #include <math.h>
 #include <string.h>
 
-#if !defined(KSL_ALLOW_FAST_MATH)
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#endif
-#endif
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0
@@ -208,18 +310,18 @@ typedef union ksl_inertiaf_t {
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3_scale_certified(ksl_vec3_t *self, const double a,
     ksl_vec3_t *self_bound) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -233,9 +335,9 @@ static inline void ksl_vec3_scale_certified(ksl_vec3_t *self, const double a,
    6 mul, 9 add, 6 abs. */
 static inline void ksl_axpy_vv_certified(const double a, const ksl_vec3_t *x, ksl_vec3_t *y,
     ksl_vec3_t *y_bound) {
-  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
   const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->x),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->y),
@@ -243,11 +345,11 @@ static inline void ksl_axpy_vv_certified(const double a, const ksl_vec3_t *x, ks
   const double y_2_new_a_abs = fabs(y_2_new_a), y_2_abs = fabs(y->z),
       y_2_new_size = y_2_new_a_abs + y_2_abs;
   const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = 2.2204460492503136e-16 * y_0_new_padded;
+      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
   const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = 2.2204460492503136e-16 * y_1_new_padded;
+      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
   const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = 2.2204460492503136e-16 * y_2_new_padded;
+      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -264,11 +366,11 @@ static inline void ksl_xpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl_
   const double y_1_new = x->y + y->y;
   const double y_2_new = x->z + y->z;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -285,11 +387,11 @@ static inline void ksl_nxpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl
   const double y_1_new = y->y - x->y;
   const double y_2_new = y->z - x->z;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -303,15 +405,15 @@ static inline void ksl_nxpy_vv_certified(const ksl_vec3_t *x, ksl_vec3_t *y, ksl
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_av_certified(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -328,9 +430,9 @@ static inline void ksl_add_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *
   const double vo_0 = v1->x + v2->x;
   const double vo_1 = v1->y + v2->y;
   const double vo_2 = v1->z + v2->z;
-  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = 1.1102230246251568e-16 * vo_0_abs;
-  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = 1.1102230246251568e-16 * vo_1_abs;
-  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = 1.1102230246251568e-16 * vo_2_abs;
+  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_abs);
+  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_abs);
+  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_abs);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -347,9 +449,9 @@ static inline void ksl_subtract_vv_certified(const ksl_vec3_t *v1, const ksl_vec
   const double vo_0 = v1->x - v2->x;
   const double vo_1 = v1->y - v2->y;
   const double vo_2 = v1->z - v2->z;
-  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = 1.1102230246251568e-16 * vo_0_abs;
-  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = 1.1102230246251568e-16 * vo_1_abs;
-  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = 1.1102230246251568e-16 * vo_2_abs;
+  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_abs);
+  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_abs);
+  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_abs);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -363,15 +465,15 @@ static inline void ksl_subtract_vv_certified(const ksl_vec3_t *v1, const ksl_vec
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3_scaled_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -385,12 +487,12 @@ static inline void ksl_vec3_scaled_certified(const ksl_vec3_t *v, const double k
    4 mul, 5 add, 3 abs. */
 static inline double ksl_dot_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     double *dot_bound) {
-  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_b = KSL_MUL(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MUL(v1->z, v2->z), dot = dot_c + dot_d;
   const double dot_a_abs = fabs(dot_a), dot_b_abs = fabs(dot_b), dot_c_size = dot_a_abs + dot_b_abs,
       dot_d_abs = fabs(dot_d), dot_size = dot_c_size + dot_d_abs;
   const double dot_padded = dot_size + 2.004168360008973e-292,
-      dot_error_bound = 3.3306690738754706e-16 * dot_padded;
+      dot_error_bound = KSL_MUL(3.3306690738754706e-16, dot_padded);
   *dot_bound = dot_error_bound;
   return dot;
 }
@@ -400,15 +502,15 @@ static inline double ksl_dot_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_avinv_certified(const double k, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   const double vo_0a_abs = fabs(vo_0a), vo_0a_padded = vo_0a_abs + 2.004168360008973e-292,
-      vo_0a_error_bound = 1.1102230246251568e-16 * vo_0a_padded;
+      vo_0a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0a_padded);
   const double vo_1a_abs = fabs(vo_1a), vo_1a_padded = vo_1a_abs + 2.004168360008973e-292,
-      vo_1a_error_bound = 1.1102230246251568e-16 * vo_1a_padded;
+      vo_1a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1a_padded);
   const double vo_2a_abs = fabs(vo_2a), vo_2a_padded = vo_2a_abs + 2.004168360008973e-292,
-      vo_2a_error_bound = 1.1102230246251568e-16 * vo_2a_padded;
+      vo_2a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -423,18 +525,18 @@ static inline void ksl_product_avinv_certified(const double k, const ksl_vec3_t 
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0b = KSL_MUL(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1b = KSL_MUL(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2b = KSL_MUL(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0_size = vo_0a_abs + vo_0b_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1_size = vo_1a_abs + vo_1b_abs;
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2_size = vo_2a_abs + vo_2b_abs;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 2.2204460492503136e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(2.2204460492503136e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 2.2204460492503136e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(2.2204460492503136e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 2.2204460492503136e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(2.2204460492503136e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -448,18 +550,18 @@ static inline void ksl_cross_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_vvinv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0b = KSL_MUL(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1b = KSL_MUL(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2b = KSL_MUL(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0_size = vo_0a_abs + vo_0b_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1_size = vo_1a_abs + vo_1b_abs;
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2_size = vo_2a_abs + vo_2b_abs;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 2.2204460492503136e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(2.2204460492503136e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 2.2204460492503136e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(2.2204460492503136e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 2.2204460492503136e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(2.2204460492503136e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -474,7 +576,7 @@ static inline void ksl_cross_vvinv_certified(const ksl_vec3_t *v1, const ksl_vec
 static inline void ksl_add_vvx_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_0 = v->x + k;
-  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = 1.1102230246251568e-16 * vo_0_abs;
+  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_abs);
   const double v_y = v->y;
   const double v_z = v->z;
   vo->x = vo_0;
@@ -491,7 +593,7 @@ static inline void ksl_add_vvx_certified(const ksl_vec3_t *v, const double k, ks
 static inline void ksl_add_vvxinv_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_0 = v->x - k;
-  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = 1.1102230246251568e-16 * vo_0_abs;
+  const double vo_0_abs = fabs(vo_0), vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_abs);
   const double v_y = v->y;
   const double v_z = v->z;
   vo->x = vo_0;
@@ -508,7 +610,7 @@ static inline void ksl_add_vvxinv_certified(const ksl_vec3_t *v, const double k,
 static inline void ksl_add_vvy_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_1 = v->y + k;
-  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = 1.1102230246251568e-16 * vo_1_abs;
+  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_abs);
   const double v_x = v->x;
   const double v_z = v->z;
   vo->x = v_x;
@@ -525,7 +627,7 @@ static inline void ksl_add_vvy_certified(const ksl_vec3_t *v, const double k, ks
 static inline void ksl_add_vvyinv_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_1 = v->y - k;
-  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = 1.1102230246251568e-16 * vo_1_abs;
+  const double vo_1_abs = fabs(vo_1), vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_abs);
   const double v_x = v->x;
   const double v_z = v->z;
   vo->x = v_x;
@@ -542,7 +644,7 @@ static inline void ksl_add_vvyinv_certified(const ksl_vec3_t *v, const double k,
 static inline void ksl_add_vvz_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_2 = v->z + k;
-  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = 1.1102230246251568e-16 * vo_2_abs;
+  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_abs);
   const double v_x = v->x;
   const double v_y = v->y;
   vo->x = v_x;
@@ -559,7 +661,7 @@ static inline void ksl_add_vvz_certified(const ksl_vec3_t *v, const double k, ks
 static inline void ksl_add_vvzinv_certified(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double vo_2 = v->z - k;
-  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = 1.1102230246251568e-16 * vo_2_abs;
+  const double vo_2_abs = fabs(vo_2), vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_abs);
   const double v_x = v->x;
   const double v_y = v->y;
   vo->x = v_x;
@@ -575,18 +677,18 @@ static inline void ksl_add_vvzinv_certified(const ksl_vec3_t *v, const double k,
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3f_scale_certified(ksl_vec3f_t *self, const float a,
     ksl_vec3f_t *self_bound) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -600,9 +702,9 @@ static inline void ksl_vec3f_scale_certified(ksl_vec3f_t *self, const float a,
    6 mul, 9 add, 6 abs. */
 static inline void ksl_axpy_vvf_certified(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y,
     ksl_vec3f_t *y_bound) {
-  const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
+  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
+  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
   const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->x),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->y),
@@ -610,11 +712,11 @@ static inline void ksl_axpy_vvf_certified(const float a, const ksl_vec3f_t *x, k
   const float y_2_new_a_abs = fabsf(y_2_new_a), y_2_abs = fabsf(y->z),
       y_2_new_size = y_2_new_a_abs + y_2_abs;
   const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = 1.192093e-07f * y_0_new_padded;
+      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
   const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = 1.192093e-07f * y_1_new_padded;
+      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
   const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = 1.192093e-07f * y_2_new_padded;
+      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -631,9 +733,12 @@ static inline void ksl_xpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
   const float y_0_new = x->x + y->x;
   const float y_1_new = x->y + y->y;
   const float y_2_new = x->z + y->z;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -650,9 +755,12 @@ static inline void ksl_nxpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
   const float y_0_new = y->x - x->x;
   const float y_1_new = y->y - x->y;
   const float y_2_new = y->z - x->z;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -666,15 +774,15 @@ static inline void ksl_nxpy_vvf_certified(const ksl_vec3f_t *x, ksl_vec3f_t *y,
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_avf_certified(const float a, const ksl_vec3f_t *vi,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -691,9 +799,9 @@ static inline void ksl_add_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_
   const float vo_0 = v1->x + v2->x;
   const float vo_1 = v1->y + v2->y;
   const float vo_2 = v1->z + v2->z;
-  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = 5.960465e-08f * vo_0_abs;
-  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = 5.960465e-08f * vo_1_abs;
-  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = 5.960465e-08f * vo_2_abs;
+  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_abs);
+  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_abs);
+  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_abs);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -710,9 +818,9 @@ static inline void ksl_subtract_vvf_certified(const ksl_vec3f_t *v1, const ksl_v
   const float vo_0 = v1->x - v2->x;
   const float vo_1 = v1->y - v2->y;
   const float vo_2 = v1->z - v2->z;
-  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = 5.960465e-08f * vo_0_abs;
-  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = 5.960465e-08f * vo_1_abs;
-  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = 5.960465e-08f * vo_2_abs;
+  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_abs);
+  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_abs);
+  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_abs);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -726,15 +834,15 @@ static inline void ksl_subtract_vvf_certified(const ksl_vec3f_t *v1, const ksl_v
    6 mul, 3 add, 3 abs. */
 static inline void ksl_vec3f_scaled_certified(const ksl_vec3f_t *v, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -748,12 +856,13 @@ static inline void ksl_vec3f_scaled_certified(const ksl_vec3f_t *v, const float 
    4 mul, 5 add, 3 abs. */
 static inline float ksl_dot_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     float *dot_bound) {
-  const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_b = KSL_MULF(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MULF(v1->z, v2->z), dot = dot_c + dot_d;
   const float dot_a_abs = fabsf(dot_a), dot_b_abs = fabsf(dot_b),
       dot_c_size = dot_a_abs + dot_b_abs, dot_d_abs = fabsf(dot_d),
       dot_size = dot_c_size + dot_d_abs;
-  const float dot_padded = dot_size + 1.9721523e-31f, dot_error_bound = 1.7881396e-07f * dot_padded;
+  const float dot_padded = dot_size + 1.9721523e-31f,
+      dot_error_bound = KSL_MULF(1.7881396e-07f, dot_padded);
   *dot_bound = dot_error_bound;
   return dot;
 }
@@ -763,15 +872,15 @@ static inline float ksl_dot_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_avinvf_certified(const float k, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   const float vo_0a_abs = fabsf(vo_0a), vo_0a_padded = vo_0a_abs + 1.9721523e-31f,
-      vo_0a_error_bound = 5.960465e-08f * vo_0a_padded;
+      vo_0a_error_bound = KSL_MULF(5.960465e-08f, vo_0a_padded);
   const float vo_1a_abs = fabsf(vo_1a), vo_1a_padded = vo_1a_abs + 1.9721523e-31f,
-      vo_1a_error_bound = 5.960465e-08f * vo_1a_padded;
+      vo_1a_error_bound = KSL_MULF(5.960465e-08f, vo_1a_padded);
   const float vo_2a_abs = fabsf(vo_2a), vo_2a_padded = vo_2a_abs + 1.9721523e-31f,
-      vo_2a_error_bound = 5.960465e-08f * vo_2a_padded;
+      vo_2a_error_bound = KSL_MULF(5.960465e-08f, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -786,18 +895,18 @@ static inline void ksl_product_avinvf_certified(const float k, const ksl_vec3f_t
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0b = KSL_MULF(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1b = KSL_MULF(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2b = KSL_MULF(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b), vo_0_size = vo_0a_abs + vo_0b_abs;
   const float vo_1a_abs = fabsf(vo_1a), vo_1b_abs = fabsf(vo_1b), vo_1_size = vo_1a_abs + vo_1b_abs;
   const float vo_2a_abs = fabsf(vo_2a), vo_2b_abs = fabsf(vo_2b), vo_2_size = vo_2a_abs + vo_2b_abs;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 1.192093e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(1.192093e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 1.192093e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(1.192093e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 1.192093e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(1.192093e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -811,18 +920,18 @@ static inline void ksl_cross_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_vvinvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0b = KSL_MULF(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1b = KSL_MULF(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2b = KSL_MULF(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b), vo_0_size = vo_0a_abs + vo_0b_abs;
   const float vo_1a_abs = fabsf(vo_1a), vo_1b_abs = fabsf(vo_1b), vo_1_size = vo_1a_abs + vo_1b_abs;
   const float vo_2a_abs = fabsf(vo_2a), vo_2b_abs = fabsf(vo_2b), vo_2_size = vo_2a_abs + vo_2b_abs;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 1.192093e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(1.192093e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 1.192093e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(1.192093e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 1.192093e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(1.192093e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -837,7 +946,7 @@ static inline void ksl_cross_vvinvf_certified(const ksl_vec3f_t *v1, const ksl_v
 static inline void ksl_add_vvxf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_0 = v->x + k;
-  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = 5.960465e-08f * vo_0_abs;
+  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_abs);
   const float v_y = v->y;
   const float v_z = v->z;
   vo->x = vo_0;
@@ -854,7 +963,7 @@ static inline void ksl_add_vvxf_certified(const ksl_vec3f_t *v, const float k, k
 static inline void ksl_add_vvxinvf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_0 = v->x - k;
-  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = 5.960465e-08f * vo_0_abs;
+  const float vo_0_abs = fabsf(vo_0), vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_abs);
   const float v_y = v->y;
   const float v_z = v->z;
   vo->x = vo_0;
@@ -871,7 +980,7 @@ static inline void ksl_add_vvxinvf_certified(const ksl_vec3f_t *v, const float k
 static inline void ksl_add_vvyf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_1 = v->y + k;
-  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = 5.960465e-08f * vo_1_abs;
+  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_abs);
   const float v_x = v->x;
   const float v_z = v->z;
   vo->x = v_x;
@@ -888,7 +997,7 @@ static inline void ksl_add_vvyf_certified(const ksl_vec3f_t *v, const float k, k
 static inline void ksl_add_vvyinvf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_1 = v->y - k;
-  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = 5.960465e-08f * vo_1_abs;
+  const float vo_1_abs = fabsf(vo_1), vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_abs);
   const float v_x = v->x;
   const float v_z = v->z;
   vo->x = v_x;
@@ -905,7 +1014,7 @@ static inline void ksl_add_vvyinvf_certified(const ksl_vec3f_t *v, const float k
 static inline void ksl_add_vvzf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_2 = v->z + k;
-  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = 5.960465e-08f * vo_2_abs;
+  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_abs);
   const float v_x = v->x;
   const float v_y = v->y;
   vo->x = v_x;
@@ -922,7 +1031,7 @@ static inline void ksl_add_vvzf_certified(const ksl_vec3f_t *v, const float k, k
 static inline void ksl_add_vvzinvf_certified(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float vo_2 = v->z - k;
-  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = 5.960465e-08f * vo_2_abs;
+  const float vo_2_abs = fabsf(vo_2), vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_abs);
   const float v_x = v->x;
   const float v_y = v->y;
   vo->x = v_x;
@@ -945,24 +1054,24 @@ static inline void ksl_add_vvzinvf_certified(const ksl_vec3f_t *v, const float k
    R: rotation or other 3×3 matrix; det_bound: number.
    13 mul, 14 add, 9 abs. */
 static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, double *det_bound) {
-  const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const double n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const double det_a = KSL_MUL(R->m00, n_0), det_b = KSL_MUL(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MUL(R->m20, n_2), det = det_c + det_d;
   const double n_0a_abs = fabs(n_0a), n_0b_abs = fabs(n_0b), n_0_size = n_0a_abs + n_0b_abs;
   const double n_1a_abs = fabs(n_1a), n_1b_abs = fabs(n_1b), n_1_size = n_1a_abs + n_1b_abs;
   const double n_2a_abs = fabs(n_2a), n_2b_abs = fabs(n_2b), n_2_size = n_2a_abs + n_2b_abs;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
-  const double R_00_abs = fabs(R->m00), det_a_size = R_00_abs * n_0_padded;
+  const double R_00_abs = fabs(R->m00), det_a_size = KSL_MUL(R_00_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
-  const double R_10_abs = fabs(R->m10), det_b_size = R_10_abs * n_1_padded,
+  const double R_10_abs = fabs(R->m10), det_b_size = KSL_MUL(R_10_abs, n_1_padded),
       det_c_size = det_a_size + det_b_size;
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
-  const double R_20_abs = fabs(R->m20), det_d_size = R_20_abs * n_2_padded,
+  const double R_20_abs = fabs(R->m20), det_d_size = KSL_MUL(R_20_abs, n_2_padded),
       det_size = det_c_size + det_d_size;
   const double det_padded = det_size + 2.004168360008973e-292,
-      det_error_bound = 5.551115123125785e-16 * det_padded;
+      det_error_bound = KSL_MUL(5.551115123125785e-16, det_padded);
   *det_bound = det_error_bound;
   return det;
 }
@@ -971,23 +1080,24 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
    R: rotation or other 3×3 matrix; det_bound: number.
    13 mul, 14 add, 9 abs. */
 static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, float *det_bound) {
-  const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const float n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const float det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0b = KSL_MULF(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const float det_a = KSL_MULF(R->m00, n_0), det_b = KSL_MULF(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MULF(R->m20, n_2), det = det_c + det_d;
   const float n_0a_abs = fabsf(n_0a), n_0b_abs = fabsf(n_0b), n_0_size = n_0a_abs + n_0b_abs;
   const float n_1a_abs = fabsf(n_1a), n_1b_abs = fabsf(n_1b), n_1_size = n_1a_abs + n_1b_abs;
   const float n_2a_abs = fabsf(n_2a), n_2b_abs = fabsf(n_2b), n_2_size = n_2a_abs + n_2b_abs;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
-  const float R_00_abs = fabsf(R->m00), det_a_size = R_00_abs * n_0_padded;
+  const float R_00_abs = fabsf(R->m00), det_a_size = KSL_MULF(R_00_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
-  const float R_10_abs = fabsf(R->m10), det_b_size = R_10_abs * n_1_padded,
+  const float R_10_abs = fabsf(R->m10), det_b_size = KSL_MULF(R_10_abs, n_1_padded),
       det_c_size = det_a_size + det_b_size;
   const float n_2_padded = n_2_size + 1.9721523e-31f;
-  const float R_20_abs = fabsf(R->m20), det_d_size = R_20_abs * n_2_padded,
+  const float R_20_abs = fabsf(R->m20), det_d_size = KSL_MULF(R_20_abs, n_2_padded),
       det_size = det_c_size + det_d_size;
-  const float det_padded = det_size + 1.9721523e-31f, det_error_bound = 2.9802328e-07f * det_padded;
+  const float det_padded = det_size + 1.9721523e-31f,
+      det_error_bound = KSL_MULF(2.9802328e-07f, det_padded);
   *det_bound = det_error_bound;
   return det;
 }
@@ -1004,15 +1114,18 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
    self, self_bound: displacement [R | t], R rotation, t in m.
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_SE3_invert_certified(ksl_SE3_t *self, ksl_SE3_t *self_bound) {
-  const double self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
-      self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
-      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
-  const double self_13_new_a = self->m01 * self->m03, self_13_new_b = self->m11 * self->m13,
-      self_13_new_c = self_13_new_a + self_13_new_b, self_13_new_d = self->m21 * self->m23,
-      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
-  const double self_23_new_a = self->m02 * self->m03, self_23_new_b = self->m12 * self->m13,
-      self_23_new_c = self_23_new_a + self_23_new_b, self_23_new_d = self->m22 * self->m23,
-      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
+      self_03_new_b = KSL_MUL(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_d = KSL_MUL(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new = -self_03_new_e;
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
+      self_13_new_b = KSL_MUL(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_d = KSL_MUL(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new = -self_13_new_e;
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
+      self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_d = KSL_MUL(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new = -self_23_new_e;
   const double self_03_new_a_abs = fabs(self_03_new_a), self_03_new_b_abs = fabs(self_03_new_b),
       self_03_new_c_size = self_03_new_a_abs + self_03_new_b_abs,
       self_03_new_d_abs = fabs(self_03_new_d),
@@ -1026,11 +1139,11 @@ static inline void ksl_SE3_invert_certified(ksl_SE3_t *self, ksl_SE3_t *self_bou
       self_23_new_d_abs = fabs(self_23_new_d),
       self_23_new_e_size = self_23_new_c_size + self_23_new_d_abs;
   const double self_03_new_e_padded = self_03_new_e_size + 2.004168360008973e-292,
-      self_03_new_e_error_bound = 3.3306690738754706e-16 * self_03_new_e_padded;
+      self_03_new_e_error_bound = KSL_MUL(3.3306690738754706e-16, self_03_new_e_padded);
   const double self_13_new_e_padded = self_13_new_e_size + 2.004168360008973e-292,
-      self_13_new_e_error_bound = 3.3306690738754706e-16 * self_13_new_e_padded;
+      self_13_new_e_error_bound = KSL_MUL(3.3306690738754706e-16, self_13_new_e_padded);
   const double self_23_new_e_padded = self_23_new_e_size + 2.004168360008973e-292,
-      self_23_new_e_error_bound = 3.3306690738754706e-16 * self_23_new_e_padded;
+      self_23_new_e_error_bound = KSL_MUL(3.3306690738754706e-16, self_23_new_e_padded);
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
   const double self_m01 = self->m01;
@@ -1065,12 +1178,15 @@ static inline void ksl_SE3_invert_certified(ksl_SE3_t *self, ksl_SE3_t *self_bou
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_SE3_inverted_certified(const ksl_SE3_t *D, ksl_SE3_t *Do,
     ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
-  const double Do_13a = D->m01 * D->m03, Do_13b = D->m11 * D->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * D->m23, Do_13e = Do_13c + Do_13d, Do_13 = -Do_13e;
-  const double Do_23a = D->m02 * D->m03, Do_23b = D->m12 * D->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * D->m23, Do_23e = Do_23c + Do_23d, Do_23 = -Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03b = KSL_MUL(D->m10, D->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = -Do_03e;
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13b = KSL_MUL(D->m11, D->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = -Do_13e;
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23b = KSL_MUL(D->m12, D->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = -Do_23e;
   const double Do_03a_abs = fabs(Do_03a), Do_03b_abs = fabs(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabs(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs;
@@ -1081,11 +1197,11 @@ static inline void ksl_SE3_inverted_certified(const ksl_SE3_t *D, ksl_SE3_t *Do,
       Do_23c_size = Do_23a_abs + Do_23b_abs, Do_23d_abs = fabs(Do_23d),
       Do_23e_size = Do_23c_size + Do_23d_abs;
   const double Do_03e_padded = Do_03e_size + 2.004168360008973e-292,
-      Do_03e_error_bound = 3.3306690738754706e-16 * Do_03e_padded;
+      Do_03e_error_bound = KSL_MUL(3.3306690738754706e-16, Do_03e_padded);
   const double Do_13e_padded = Do_13e_size + 2.004168360008973e-292,
-      Do_13e_error_bound = 3.3306690738754706e-16 * Do_13e_padded;
+      Do_13e_error_bound = KSL_MUL(3.3306690738754706e-16, Do_13e_padded);
   const double Do_23e_padded = Do_23e_size + 2.004168360008973e-292,
-      Do_23e_error_bound = 3.3306690738754706e-16 * Do_23e_padded;
+      Do_23e_error_bound = KSL_MUL(3.3306690738754706e-16, Do_23e_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -1125,15 +1241,18 @@ static inline void ksl_SE3_inverted_certified(const ksl_SE3_t *D, ksl_SE3_t *Do,
    self, self_bound: displacement [R | t], R rotation, t in m.
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_SE3f_invert_certified(ksl_SE3f_t *self, ksl_SE3f_t *self_bound) {
-  const float self_03_new_a = self->m00 * self->m03, self_03_new_b = self->m10 * self->m13,
-      self_03_new_c = self_03_new_a + self_03_new_b, self_03_new_d = self->m20 * self->m23,
-      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
-  const float self_13_new_a = self->m01 * self->m03, self_13_new_b = self->m11 * self->m13,
-      self_13_new_c = self_13_new_a + self_13_new_b, self_13_new_d = self->m21 * self->m23,
-      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
-  const float self_23_new_a = self->m02 * self->m03, self_23_new_b = self->m12 * self->m13,
-      self_23_new_c = self_23_new_a + self_23_new_b, self_23_new_d = self->m22 * self->m23,
-      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
+      self_03_new_b = KSL_MULF(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
+      self_03_new_d = KSL_MULF(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new = -self_03_new_e;
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
+      self_13_new_b = KSL_MULF(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
+      self_13_new_d = KSL_MULF(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new = -self_13_new_e;
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
+      self_23_new_b = KSL_MULF(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
+      self_23_new_d = KSL_MULF(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new = -self_23_new_e;
   const float self_03_new_a_abs = fabsf(self_03_new_a), self_03_new_b_abs = fabsf(self_03_new_b),
       self_03_new_c_size = self_03_new_a_abs + self_03_new_b_abs,
       self_03_new_d_abs = fabsf(self_03_new_d),
@@ -1147,11 +1266,11 @@ static inline void ksl_SE3f_invert_certified(ksl_SE3f_t *self, ksl_SE3f_t *self_
       self_23_new_d_abs = fabsf(self_23_new_d),
       self_23_new_e_size = self_23_new_c_size + self_23_new_d_abs;
   const float self_03_new_e_padded = self_03_new_e_size + 1.9721523e-31f,
-      self_03_new_e_error_bound = 1.7881396e-07f * self_03_new_e_padded;
+      self_03_new_e_error_bound = KSL_MULF(1.7881396e-07f, self_03_new_e_padded);
   const float self_13_new_e_padded = self_13_new_e_size + 1.9721523e-31f,
-      self_13_new_e_error_bound = 1.7881396e-07f * self_13_new_e_padded;
+      self_13_new_e_error_bound = KSL_MULF(1.7881396e-07f, self_13_new_e_padded);
   const float self_23_new_e_padded = self_23_new_e_size + 1.9721523e-31f,
-      self_23_new_e_error_bound = 1.7881396e-07f * self_23_new_e_padded;
+      self_23_new_e_error_bound = KSL_MULF(1.7881396e-07f, self_23_new_e_padded);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -1186,12 +1305,15 @@ static inline void ksl_SE3f_invert_certified(ksl_SE3f_t *self, ksl_SE3f_t *self_
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *Do,
     ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m00 * D->m03, Do_03b = D->m10 * D->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * D->m23, Do_03e = Do_03c + Do_03d, Do_03 = -Do_03e;
-  const float Do_13a = D->m01 * D->m03, Do_13b = D->m11 * D->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * D->m23, Do_13e = Do_13c + Do_13d, Do_13 = -Do_13e;
-  const float Do_23a = D->m02 * D->m03, Do_23b = D->m12 * D->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * D->m23, Do_23e = Do_23c + Do_23d, Do_23 = -Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03b = KSL_MULF(D->m10, D->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = -Do_03e;
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13b = KSL_MULF(D->m11, D->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = -Do_13e;
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23b = KSL_MULF(D->m12, D->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = -Do_23e;
   const float Do_03a_abs = fabsf(Do_03a), Do_03b_abs = fabsf(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabsf(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs;
@@ -1202,11 +1324,11 @@ static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *
       Do_23c_size = Do_23a_abs + Do_23b_abs, Do_23d_abs = fabsf(Do_23d),
       Do_23e_size = Do_23c_size + Do_23d_abs;
   const float Do_03e_padded = Do_03e_size + 1.9721523e-31f,
-      Do_03e_error_bound = 1.7881396e-07f * Do_03e_padded;
+      Do_03e_error_bound = KSL_MULF(1.7881396e-07f, Do_03e_padded);
   const float Do_13e_padded = Do_13e_size + 1.9721523e-31f,
-      Do_13e_error_bound = 1.7881396e-07f * Do_13e_padded;
+      Do_13e_error_bound = KSL_MULF(1.7881396e-07f, Do_13e_padded);
   const float Do_23e_padded = Do_23e_size + 1.9721523e-31f,
-      Do_23e_error_bound = 1.7881396e-07f * Do_23e_padded;
+      Do_23e_error_bound = KSL_MULF(1.7881396e-07f, Do_23e_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1255,12 +1377,12 @@ static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *
    12 mul, 15 add, 9 abs. */
 static inline void ksl_product_drv_certified(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0c_size = vo_0a_abs + vo_0b_abs,
       vo_0d_abs = fabs(vo_0d), vo_0_size = vo_0c_size + vo_0d_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1c_size = vo_1a_abs + vo_1b_abs,
@@ -1268,11 +1390,11 @@ static inline void ksl_product_drv_certified(const ksl_mat3x3_t *R, const ksl_ve
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2c_size = vo_2a_abs + vo_2b_abs,
       vo_2d_abs = fabs(vo_2d), vo_2_size = vo_2c_size + vo_2d_abs;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 3.3306690738754706e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(3.3306690738754706e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 3.3306690738754706e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(3.3306690738754706e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 3.3306690738754706e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(3.3306690738754706e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1286,12 +1408,12 @@ static inline void ksl_product_drv_certified(const ksl_mat3x3_t *R, const ksl_ve
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_drvinv_certified(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0c_size = vo_0a_abs + vo_0b_abs,
       vo_0d_abs = fabs(vo_0d), vo_0e_size = vo_0c_size + vo_0d_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1c_size = vo_1a_abs + vo_1b_abs,
@@ -1299,11 +1421,11 @@ static inline void ksl_product_drvinv_certified(const ksl_mat3x3_t *R, const ksl
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2c_size = vo_2a_abs + vo_2b_abs,
       vo_2d_abs = fabs(vo_2d), vo_2e_size = vo_2c_size + vo_2d_abs;
   const double vo_0e_padded = vo_0e_size + 2.004168360008973e-292,
-      vo_0e_error_bound = 3.3306690738754706e-16 * vo_0e_padded;
+      vo_0e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_0e_padded);
   const double vo_1e_padded = vo_1e_size + 2.004168360008973e-292,
-      vo_1e_error_bound = 3.3306690738754706e-16 * vo_1e_padded;
+      vo_1e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_1e_padded);
   const double vo_2e_padded = vo_2e_size + 2.004168360008973e-292,
-      vo_2e_error_bound = 3.3306690738754706e-16 * vo_2e_padded;
+      vo_2e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_2e_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1317,12 +1439,12 @@ static inline void ksl_product_drvinv_certified(const ksl_mat3x3_t *R, const ksl
    12 mul, 15 add, 9 abs. */
 static inline void ksl_product_drinvv_certified(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0c_size = vo_0a_abs + vo_0b_abs,
       vo_0d_abs = fabs(vo_0d), vo_0_size = vo_0c_size + vo_0d_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1c_size = vo_1a_abs + vo_1b_abs,
@@ -1330,11 +1452,11 @@ static inline void ksl_product_drinvv_certified(const ksl_mat3x3_t *R, const ksl
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2c_size = vo_2a_abs + vo_2b_abs,
       vo_2d_abs = fabs(vo_2d), vo_2_size = vo_2c_size + vo_2d_abs;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 3.3306690738754706e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(3.3306690738754706e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 3.3306690738754706e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(3.3306690738754706e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 3.3306690738754706e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(3.3306690738754706e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1348,12 +1470,12 @@ static inline void ksl_product_drinvv_certified(const ksl_mat3x3_t *R, const ksl
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_drinvvinv_certified(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0c_size = vo_0a_abs + vo_0b_abs,
       vo_0d_abs = fabs(vo_0d), vo_0e_size = vo_0c_size + vo_0d_abs;
   const double vo_1a_abs = fabs(vo_1a), vo_1b_abs = fabs(vo_1b), vo_1c_size = vo_1a_abs + vo_1b_abs,
@@ -1361,11 +1483,11 @@ static inline void ksl_product_drinvvinv_certified(const ksl_mat3x3_t *R, const 
   const double vo_2a_abs = fabs(vo_2a), vo_2b_abs = fabs(vo_2b), vo_2c_size = vo_2a_abs + vo_2b_abs,
       vo_2d_abs = fabs(vo_2d), vo_2e_size = vo_2c_size + vo_2d_abs;
   const double vo_0e_padded = vo_0e_size + 2.004168360008973e-292,
-      vo_0e_error_bound = 3.3306690738754706e-16 * vo_0e_padded;
+      vo_0e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_0e_padded);
   const double vo_1e_padded = vo_1e_size + 2.004168360008973e-292,
-      vo_1e_error_bound = 3.3306690738754706e-16 * vo_1e_padded;
+      vo_1e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_1e_padded);
   const double vo_2e_padded = vo_2e_size + 2.004168360008973e-292,
-      vo_2e_error_bound = 3.3306690738754706e-16 * vo_2e_padded;
+      vo_2e_error_bound = KSL_MUL(3.3306690738754706e-16, vo_2e_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1379,12 +1501,12 @@ static inline void ksl_product_drinvvinv_certified(const ksl_mat3x3_t *R, const 
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_dv_certified(const ksl_SE3_t *D, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const double vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const double vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0b = KSL_MUL(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1b = KSL_MUL(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2b = KSL_MUL(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   const double vo_0a_abs = fabs(vo_0a), vo_0b_abs = fabs(vo_0b), vo_0c_size = vo_0a_abs + vo_0b_abs,
       vo_0d_abs = fabs(vo_0d), vo_0e_size = vo_0c_size + vo_0d_abs, D_03_abs = fabs(D->m03),
       vo_0_size = vo_0e_size + D_03_abs;
@@ -1395,11 +1517,11 @@ static inline void ksl_product_dv_certified(const ksl_SE3_t *D, const ksl_vec3_t
       vo_2d_abs = fabs(vo_2d), vo_2e_size = vo_2c_size + vo_2d_abs, D_23_abs = fabs(D->m23),
       vo_2_size = vo_2e_size + D_23_abs;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 4.440892098500628e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(4.440892098500628e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 4.440892098500628e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(4.440892098500628e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 4.440892098500628e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(4.440892098500628e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1416,28 +1538,31 @@ static inline void ksl_product_dinvv_certified(const ksl_SE3_t *D, const ksl_vec
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
   const double p_2 = v->z - D->m23;
-  const double vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
-  const double D_00_abs = fabs(D->m00), p_0_abs = fabs(p_0), vo_0a_size = D_00_abs * p_0_abs,
-      D_10_abs = fabs(D->m10), p_1_abs = fabs(p_1), vo_0b_size = D_10_abs * p_1_abs,
-      vo_0c_size = vo_0a_size + vo_0b_size, D_20_abs = fabs(D->m20), p_2_abs = fabs(p_2),
-      vo_0d_size = D_20_abs * p_2_abs, vo_0_size = vo_0c_size + vo_0d_size;
-  const double D_01_abs = fabs(D->m01), vo_1a_size = D_01_abs * p_0_abs, D_11_abs = fabs(D->m11),
-      vo_1b_size = D_11_abs * p_1_abs, vo_1c_size = vo_1a_size + vo_1b_size,
-      D_21_abs = fabs(D->m21), vo_1d_size = D_21_abs * p_2_abs, vo_1_size = vo_1c_size + vo_1d_size;
-  const double D_02_abs = fabs(D->m02), vo_2a_size = D_02_abs * p_0_abs, D_12_abs = fabs(D->m12),
-      vo_2b_size = D_12_abs * p_1_abs, vo_2c_size = vo_2a_size + vo_2b_size,
-      D_22_abs = fabs(D->m22), vo_2d_size = D_22_abs * p_2_abs, vo_2_size = vo_2c_size + vo_2d_size;
+  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0b = KSL_MUL(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1b = KSL_MUL(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2b = KSL_MUL(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, p_2), vo_2 = vo_2c + vo_2d;
+  const double D_00_abs = fabs(D->m00), p_0_abs = fabs(p_0),
+      vo_0a_size = KSL_MUL(D_00_abs, p_0_abs), D_10_abs = fabs(D->m10), p_1_abs = fabs(p_1),
+      vo_0b_size = KSL_MUL(D_10_abs, p_1_abs), vo_0c_size = vo_0a_size + vo_0b_size,
+      D_20_abs = fabs(D->m20), p_2_abs = fabs(p_2), vo_0d_size = KSL_MUL(D_20_abs, p_2_abs),
+      vo_0_size = vo_0c_size + vo_0d_size;
+  const double D_01_abs = fabs(D->m01), vo_1a_size = KSL_MUL(D_01_abs, p_0_abs),
+      D_11_abs = fabs(D->m11), vo_1b_size = KSL_MUL(D_11_abs, p_1_abs),
+      vo_1c_size = vo_1a_size + vo_1b_size, D_21_abs = fabs(D->m21),
+      vo_1d_size = KSL_MUL(D_21_abs, p_2_abs), vo_1_size = vo_1c_size + vo_1d_size;
+  const double D_02_abs = fabs(D->m02), vo_2a_size = KSL_MUL(D_02_abs, p_0_abs),
+      D_12_abs = fabs(D->m12), vo_2b_size = KSL_MUL(D_12_abs, p_1_abs),
+      vo_2c_size = vo_2a_size + vo_2b_size, D_22_abs = fabs(D->m22),
+      vo_2d_size = KSL_MUL(D_22_abs, p_2_abs), vo_2_size = vo_2c_size + vo_2d_size;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 4.440892098500628e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(4.440892098500628e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 4.440892098500628e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(4.440892098500628e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 4.440892098500628e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(4.440892098500628e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1451,24 +1576,24 @@ static inline void ksl_product_dinvv_certified(const ksl_SE3_t *D, const ksl_vec
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drdr_certified(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22b = KSL_MUL(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabs(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -1497,23 +1622,23 @@ static inline void ksl_product_drdr_certified(const ksl_mat3x3_t *R1, const ksl_
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabs(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 3.3306690738754706e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 3.3306690738754706e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 3.3306690738754706e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 3.3306690738754706e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 3.3306690738754706e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 3.3306690738754706e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 3.3306690738754706e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 3.3306690738754706e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 3.3306690738754706e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1539,24 +1664,24 @@ static inline void ksl_product_drdr_certified(const ksl_mat3x3_t *R1, const ksl_
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drdrinv_certified(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02b = KSL_MUL(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12b = KSL_MUL(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22b = KSL_MUL(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabs(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -1585,23 +1710,23 @@ static inline void ksl_product_drdrinv_certified(const ksl_mat3x3_t *R1, const k
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabs(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 3.3306690738754706e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 3.3306690738754706e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 3.3306690738754706e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 3.3306690738754706e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 3.3306690738754706e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 3.3306690738754706e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 3.3306690738754706e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 3.3306690738754706e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 3.3306690738754706e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1627,24 +1752,24 @@ static inline void ksl_product_drdrinv_certified(const ksl_mat3x3_t *R1, const k
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drinvdr_certified(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20b = KSL_MUL(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21b = KSL_MUL(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22b = KSL_MUL(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabs(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -1673,23 +1798,23 @@ static inline void ksl_product_drinvdr_certified(const ksl_mat3x3_t *R1, const k
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabs(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 3.3306690738754706e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 3.3306690738754706e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 3.3306690738754706e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 3.3306690738754706e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 3.3306690738754706e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 3.3306690738754706e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 3.3306690738754706e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 3.3306690738754706e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 3.3306690738754706e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(3.3306690738754706e-16, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1715,30 +1840,33 @@ static inline void ksl_product_drinvdr_certified(const ksl_mat3x3_t *R1, const k
    48 mul, 66 add, 39 abs. */
 static inline void ksl_product_dd_certified(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03b = KSL_MUL(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13b = KSL_MUL(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20b = KSL_MUL(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21b = KSL_MUL(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22b = KSL_MUL(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23b = KSL_MUL(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabs(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -1779,29 +1907,29 @@ static inline void ksl_product_dd_certified(const ksl_SE3_t *D1, const ksl_SE3_t
       Do_23e_size = Do_23c_size + Do_23d_abs, D1_23_abs = fabs(D1->m23),
       Do_23_size = Do_23e_size + D1_23_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 3.3306690738754706e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(3.3306690738754706e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 3.3306690738754706e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(3.3306690738754706e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 3.3306690738754706e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(3.3306690738754706e-16, Do_02_padded);
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 4.440892098500628e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(4.440892098500628e-16, Do_03_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 3.3306690738754706e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(3.3306690738754706e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 3.3306690738754706e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(3.3306690738754706e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 3.3306690738754706e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(3.3306690738754706e-16, Do_12_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 4.440892098500628e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(4.440892098500628e-16, Do_13_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 3.3306690738754706e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(3.3306690738754706e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 3.3306690738754706e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(3.3306690738754706e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 3.3306690738754706e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(3.3306690738754706e-16, Do_22_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 4.440892098500628e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(4.440892098500628e-16, Do_23_padded);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1833,30 +1961,33 @@ static inline void ksl_product_dd_certified(const ksl_SE3_t *D1, const ksl_SE3_t
    57 mul, 66 add, 33 abs. */
 static inline void ksl_product_ddinv_certified(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const double R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const double R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const double R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const double R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const double R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const double R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const double R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const double R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const double Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0b = KSL_MUL(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MUL(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1b = KSL_MUL(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MUL(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2b = KSL_MUL(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MUL(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3b = KSL_MUL(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MUL(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4b = KSL_MUL(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MUL(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5b = KSL_MUL(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MUL(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6b = KSL_MUL(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MUL(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7b = KSL_MUL(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MUL(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8b = KSL_MUL(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MUL(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03b = KSL_MUL(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13b = KSL_MUL(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23b = KSL_MUL(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   const double R_0a_abs = fabs(R_0a), R_0b_abs = fabs(R_0b), R_0c_size = R_0a_abs + R_0b_abs,
       R_0d_abs = fabs(R_0d), R_0_size = R_0c_size + R_0d_abs;
   const double R_1a_abs = fabs(R_1a), R_1b_abs = fabs(R_1b), R_1c_size = R_1a_abs + R_1b_abs,
@@ -1876,43 +2007,47 @@ static inline void ksl_product_ddinv_certified(const ksl_SE3_t *D1, const ksl_SE
   const double R_8a_abs = fabs(R_8a), R_8b_abs = fabs(R_8b), R_8c_size = R_8a_abs + R_8b_abs,
       R_8d_abs = fabs(R_8d), R_8_size = R_8c_size + R_8d_abs;
   const double R_0_padded = R_0_size + 2.004168360008973e-292;
-  const double D2_03_abs = fabs(D2->m03), Do_03a_size = D2_03_abs * R_0_padded;
+  const double D2_03_abs = fabs(D2->m03), Do_03a_size = KSL_MUL(D2_03_abs, R_0_padded);
   const double R_1_padded = R_1_size + 2.004168360008973e-292;
-  const double D2_13_abs = fabs(D2->m13), Do_03b_size = D2_13_abs * R_1_padded,
+  const double D2_13_abs = fabs(D2->m13), Do_03b_size = KSL_MUL(D2_13_abs, R_1_padded),
       Do_03c_size = Do_03a_size + Do_03b_size;
   const double R_2_padded = R_2_size + 2.004168360008973e-292;
-  const double D2_23_abs = fabs(D2->m23), Do_03d_size = D2_23_abs * R_2_padded,
+  const double D2_23_abs = fabs(D2->m23), Do_03d_size = KSL_MUL(D2_23_abs, R_2_padded),
       Do_03e_size = Do_03c_size + Do_03d_size, D1_03_abs = fabs(D1->m03),
       Do_03_size = D1_03_abs + Do_03e_size;
   const double R_3_padded = R_3_size + 2.004168360008973e-292;
-  const double Do_13a_size = D2_03_abs * R_3_padded;
+  const double Do_13a_size = KSL_MUL(D2_03_abs, R_3_padded);
   const double R_4_padded = R_4_size + 2.004168360008973e-292;
-  const double Do_13b_size = D2_13_abs * R_4_padded, Do_13c_size = Do_13a_size + Do_13b_size;
+  const double Do_13b_size = KSL_MUL(D2_13_abs, R_4_padded),
+      Do_13c_size = Do_13a_size + Do_13b_size;
   const double R_5_padded = R_5_size + 2.004168360008973e-292;
-  const double Do_13d_size = D2_23_abs * R_5_padded, Do_13e_size = Do_13c_size + Do_13d_size,
-      D1_13_abs = fabs(D1->m13), Do_13_size = D1_13_abs + Do_13e_size;
+  const double Do_13d_size = KSL_MUL(D2_23_abs, R_5_padded),
+      Do_13e_size = Do_13c_size + Do_13d_size, D1_13_abs = fabs(D1->m13),
+      Do_13_size = D1_13_abs + Do_13e_size;
   const double R_6_padded = R_6_size + 2.004168360008973e-292;
-  const double Do_23a_size = D2_03_abs * R_6_padded;
+  const double Do_23a_size = KSL_MUL(D2_03_abs, R_6_padded);
   const double R_7_padded = R_7_size + 2.004168360008973e-292;
-  const double Do_23b_size = D2_13_abs * R_7_padded, Do_23c_size = Do_23a_size + Do_23b_size;
+  const double Do_23b_size = KSL_MUL(D2_13_abs, R_7_padded),
+      Do_23c_size = Do_23a_size + Do_23b_size;
   const double R_8_padded = R_8_size + 2.004168360008973e-292;
-  const double Do_23d_size = D2_23_abs * R_8_padded, Do_23e_size = Do_23c_size + Do_23d_size,
-      D1_23_abs = fabs(D1->m23), Do_23_size = D1_23_abs + Do_23e_size;
-  const double R_0_error_bound = 3.3306690738754706e-16 * R_0_padded;
-  const double R_1_error_bound = 3.3306690738754706e-16 * R_1_padded;
-  const double R_2_error_bound = 3.3306690738754706e-16 * R_2_padded;
+  const double Do_23d_size = KSL_MUL(D2_23_abs, R_8_padded),
+      Do_23e_size = Do_23c_size + Do_23d_size, D1_23_abs = fabs(D1->m23),
+      Do_23_size = D1_23_abs + Do_23e_size;
+  const double R_0_error_bound = KSL_MUL(3.3306690738754706e-16, R_0_padded);
+  const double R_1_error_bound = KSL_MUL(3.3306690738754706e-16, R_1_padded);
+  const double R_2_error_bound = KSL_MUL(3.3306690738754706e-16, R_2_padded);
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 7.7715611723761e-16 * Do_03_padded;
-  const double R_3_error_bound = 3.3306690738754706e-16 * R_3_padded;
-  const double R_4_error_bound = 3.3306690738754706e-16 * R_4_padded;
-  const double R_5_error_bound = 3.3306690738754706e-16 * R_5_padded;
+      Do_03_error_bound = KSL_MUL(7.7715611723761e-16, Do_03_padded);
+  const double R_3_error_bound = KSL_MUL(3.3306690738754706e-16, R_3_padded);
+  const double R_4_error_bound = KSL_MUL(3.3306690738754706e-16, R_4_padded);
+  const double R_5_error_bound = KSL_MUL(3.3306690738754706e-16, R_5_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 7.7715611723761e-16 * Do_13_padded;
-  const double R_6_error_bound = 3.3306690738754706e-16 * R_6_padded;
-  const double R_7_error_bound = 3.3306690738754706e-16 * R_7_padded;
-  const double R_8_error_bound = 3.3306690738754706e-16 * R_8_padded;
+      Do_13_error_bound = KSL_MUL(7.7715611723761e-16, Do_13_padded);
+  const double R_6_error_bound = KSL_MUL(3.3306690738754706e-16, R_6_padded);
+  const double R_7_error_bound = KSL_MUL(3.3306690738754706e-16, R_7_padded);
+  const double R_8_error_bound = KSL_MUL(3.3306690738754706e-16, R_8_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 7.7715611723761e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(7.7715611723761e-16, Do_23_padded);
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -1947,30 +2082,30 @@ static inline void ksl_product_dinvd_certified(const ksl_SE3_t *D1, const ksl_SE
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
   const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03b = KSL_MUL(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13b = KSL_MUL(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20b = KSL_MUL(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21b = KSL_MUL(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22b = KSL_MUL(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23b = KSL_MUL(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabs(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -1980,10 +2115,11 @@ static inline void ksl_product_dinvd_certified(const ksl_SE3_t *D1, const ksl_SE
   const double Do_02a_abs = fabs(Do_02a), Do_02b_abs = fabs(Do_02b),
       Do_02c_size = Do_02a_abs + Do_02b_abs, Do_02d_abs = fabs(Do_02d),
       Do_02_size = Do_02c_size + Do_02d_abs;
-  const double D1_00_abs = fabs(D1->m00), p_0_abs = fabs(p_0), Do_03a_size = D1_00_abs * p_0_abs,
-      D1_10_abs = fabs(D1->m10), p_1_abs = fabs(p_1), Do_03b_size = D1_10_abs * p_1_abs,
-      Do_03c_size = Do_03a_size + Do_03b_size, D1_20_abs = fabs(D1->m20), p_2_abs = fabs(p_2),
-      Do_03d_size = D1_20_abs * p_2_abs, Do_03_size = Do_03c_size + Do_03d_size;
+  const double D1_00_abs = fabs(D1->m00), p_0_abs = fabs(p_0),
+      Do_03a_size = KSL_MUL(D1_00_abs, p_0_abs), D1_10_abs = fabs(D1->m10), p_1_abs = fabs(p_1),
+      Do_03b_size = KSL_MUL(D1_10_abs, p_1_abs), Do_03c_size = Do_03a_size + Do_03b_size,
+      D1_20_abs = fabs(D1->m20), p_2_abs = fabs(p_2), Do_03d_size = KSL_MUL(D1_20_abs, p_2_abs),
+      Do_03_size = Do_03c_size + Do_03d_size;
   const double Do_10a_abs = fabs(Do_10a), Do_10b_abs = fabs(Do_10b),
       Do_10c_size = Do_10a_abs + Do_10b_abs, Do_10d_abs = fabs(Do_10d),
       Do_10_size = Do_10c_size + Do_10d_abs;
@@ -1993,10 +2129,10 @@ static inline void ksl_product_dinvd_certified(const ksl_SE3_t *D1, const ksl_SE
   const double Do_12a_abs = fabs(Do_12a), Do_12b_abs = fabs(Do_12b),
       Do_12c_size = Do_12a_abs + Do_12b_abs, Do_12d_abs = fabs(Do_12d),
       Do_12_size = Do_12c_size + Do_12d_abs;
-  const double D1_01_abs = fabs(D1->m01), Do_13a_size = D1_01_abs * p_0_abs,
-      D1_11_abs = fabs(D1->m11), Do_13b_size = D1_11_abs * p_1_abs,
+  const double D1_01_abs = fabs(D1->m01), Do_13a_size = KSL_MUL(D1_01_abs, p_0_abs),
+      D1_11_abs = fabs(D1->m11), Do_13b_size = KSL_MUL(D1_11_abs, p_1_abs),
       Do_13c_size = Do_13a_size + Do_13b_size, D1_21_abs = fabs(D1->m21),
-      Do_13d_size = D1_21_abs * p_2_abs, Do_13_size = Do_13c_size + Do_13d_size;
+      Do_13d_size = KSL_MUL(D1_21_abs, p_2_abs), Do_13_size = Do_13c_size + Do_13d_size;
   const double Do_20a_abs = fabs(Do_20a), Do_20b_abs = fabs(Do_20b),
       Do_20c_size = Do_20a_abs + Do_20b_abs, Do_20d_abs = fabs(Do_20d),
       Do_20_size = Do_20c_size + Do_20d_abs;
@@ -2006,34 +2142,34 @@ static inline void ksl_product_dinvd_certified(const ksl_SE3_t *D1, const ksl_SE
   const double Do_22a_abs = fabs(Do_22a), Do_22b_abs = fabs(Do_22b),
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabs(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
-  const double D1_02_abs = fabs(D1->m02), Do_23a_size = D1_02_abs * p_0_abs,
-      D1_12_abs = fabs(D1->m12), Do_23b_size = D1_12_abs * p_1_abs,
+  const double D1_02_abs = fabs(D1->m02), Do_23a_size = KSL_MUL(D1_02_abs, p_0_abs),
+      D1_12_abs = fabs(D1->m12), Do_23b_size = KSL_MUL(D1_12_abs, p_1_abs),
       Do_23c_size = Do_23a_size + Do_23b_size, D1_22_abs = fabs(D1->m22),
-      Do_23d_size = D1_22_abs * p_2_abs, Do_23_size = Do_23c_size + Do_23d_size;
+      Do_23d_size = KSL_MUL(D1_22_abs, p_2_abs), Do_23_size = Do_23c_size + Do_23d_size;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 3.3306690738754706e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(3.3306690738754706e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 3.3306690738754706e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(3.3306690738754706e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 3.3306690738754706e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(3.3306690738754706e-16, Do_02_padded);
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 4.440892098500628e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(4.440892098500628e-16, Do_03_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 3.3306690738754706e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(3.3306690738754706e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 3.3306690738754706e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(3.3306690738754706e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 3.3306690738754706e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(3.3306690738754706e-16, Do_12_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 4.440892098500628e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(4.440892098500628e-16, Do_13_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 3.3306690738754706e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(3.3306690738754706e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 3.3306690738754706e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(3.3306690738754706e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 3.3306690738754706e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(3.3306690738754706e-16, Do_22_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 4.440892098500628e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(4.440892098500628e-16, Do_23_padded);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -2065,24 +2201,24 @@ static inline void ksl_product_dinvd_certified(const ksl_SE3_t *D1, const ksl_SE
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_ddr_certified(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02b = KSL_MUL(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12b = KSL_MUL(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22b = KSL_MUL(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabs(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -2111,23 +2247,23 @@ static inline void ksl_product_ddr_certified(const ksl_SE3_t *D, const ksl_mat3x
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabs(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 3.3306690738754706e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(3.3306690738754706e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 3.3306690738754706e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(3.3306690738754706e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 3.3306690738754706e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(3.3306690738754706e-16, Do_02_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 3.3306690738754706e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(3.3306690738754706e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 3.3306690738754706e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(3.3306690738754706e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 3.3306690738754706e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(3.3306690738754706e-16, Do_12_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 3.3306690738754706e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(3.3306690738754706e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 3.3306690738754706e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(3.3306690738754706e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 3.3306690738754706e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(3.3306690738754706e-16, Do_22_padded);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -2162,24 +2298,24 @@ static inline void ksl_product_ddr_certified(const ksl_SE3_t *D, const ksl_mat3x
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_ddrinv_certified(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02b = KSL_MUL(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12b = KSL_MUL(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22b = KSL_MUL(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabs(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -2208,23 +2344,23 @@ static inline void ksl_product_ddrinv_certified(const ksl_SE3_t *D, const ksl_ma
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabs(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 3.3306690738754706e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(3.3306690738754706e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 3.3306690738754706e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(3.3306690738754706e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 3.3306690738754706e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(3.3306690738754706e-16, Do_02_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 3.3306690738754706e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(3.3306690738754706e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 3.3306690738754706e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(3.3306690738754706e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 3.3306690738754706e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(3.3306690738754706e-16, Do_12_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 3.3306690738754706e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(3.3306690738754706e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 3.3306690738754706e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(3.3306690738754706e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 3.3306690738754706e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(3.3306690738754706e-16, Do_22_padded);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -2259,12 +2395,15 @@ static inline void ksl_product_ddrinv_certified(const ksl_SE3_t *D, const ksl_ma
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_ddt_certified(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const double Do_03a_abs = fabs(Do_03a), Do_03b_abs = fabs(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabs(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs, D_03_abs = fabs(D->m03),
@@ -2278,11 +2417,11 @@ static inline void ksl_product_ddt_certified(const ksl_SE3_t *D, const ksl_vec3_
       Do_23e_size = Do_23c_size + Do_23d_abs, D_23_abs = fabs(D->m23),
       Do_23_size = Do_23e_size + D_23_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 4.440892098500628e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(4.440892098500628e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 4.440892098500628e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(4.440892098500628e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 4.440892098500628e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(4.440892098500628e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -2323,12 +2462,15 @@ static inline void ksl_product_ddt_certified(const ksl_SE3_t *D, const ksl_vec3_
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_ddtinv_certified(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const double Do_03a_abs = fabs(Do_03a), Do_03b_abs = fabs(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabs(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs, D_03_abs = fabs(D->m03),
@@ -2342,11 +2484,11 @@ static inline void ksl_product_ddtinv_certified(const ksl_SE3_t *D, const ksl_ve
       Do_23e_size = Do_23c_size + Do_23d_abs, D_23_abs = fabs(D->m23),
       Do_23_size = D_23_abs + Do_23e_size;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 4.440892098500628e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(4.440892098500628e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 4.440892098500628e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(4.440892098500628e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 4.440892098500628e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(4.440892098500628e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -2390,30 +2532,31 @@ static inline void ksl_product_dinvdt_certified(const ksl_SE3_t *D, const ksl_ve
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
   const double p_2 = t->z - D->m23;
-  const double Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
-  const double D_00_abs = fabs(D->m00), p_0_abs = fabs(p_0), Do_03a_size = D_00_abs * p_0_abs,
-      D_10_abs = fabs(D->m10), p_1_abs = fabs(p_1), Do_03b_size = D_10_abs * p_1_abs,
-      Do_03c_size = Do_03a_size + Do_03b_size, D_20_abs = fabs(D->m20), p_2_abs = fabs(p_2),
-      Do_03d_size = D_20_abs * p_2_abs, Do_03_size = Do_03c_size + Do_03d_size;
-  const double D_01_abs = fabs(D->m01), Do_13a_size = D_01_abs * p_0_abs, D_11_abs = fabs(D->m11),
-      Do_13b_size = D_11_abs * p_1_abs, Do_13c_size = Do_13a_size + Do_13b_size,
-      D_21_abs = fabs(D->m21), Do_13d_size = D_21_abs * p_2_abs,
-      Do_13_size = Do_13c_size + Do_13d_size;
-  const double D_02_abs = fabs(D->m02), Do_23a_size = D_02_abs * p_0_abs, D_12_abs = fabs(D->m12),
-      Do_23b_size = D_12_abs * p_1_abs, Do_23c_size = Do_23a_size + Do_23b_size,
-      D_22_abs = fabs(D->m22), Do_23d_size = D_22_abs * p_2_abs,
-      Do_23_size = Do_23c_size + Do_23d_size;
+  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03b = KSL_MUL(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13b = KSL_MUL(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23b = KSL_MUL(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const double D_00_abs = fabs(D->m00), p_0_abs = fabs(p_0),
+      Do_03a_size = KSL_MUL(D_00_abs, p_0_abs), D_10_abs = fabs(D->m10), p_1_abs = fabs(p_1),
+      Do_03b_size = KSL_MUL(D_10_abs, p_1_abs), Do_03c_size = Do_03a_size + Do_03b_size,
+      D_20_abs = fabs(D->m20), p_2_abs = fabs(p_2), Do_03d_size = KSL_MUL(D_20_abs, p_2_abs),
+      Do_03_size = Do_03c_size + Do_03d_size;
+  const double D_01_abs = fabs(D->m01), Do_13a_size = KSL_MUL(D_01_abs, p_0_abs),
+      D_11_abs = fabs(D->m11), Do_13b_size = KSL_MUL(D_11_abs, p_1_abs),
+      Do_13c_size = Do_13a_size + Do_13b_size, D_21_abs = fabs(D->m21),
+      Do_13d_size = KSL_MUL(D_21_abs, p_2_abs), Do_13_size = Do_13c_size + Do_13d_size;
+  const double D_02_abs = fabs(D->m02), Do_23a_size = KSL_MUL(D_02_abs, p_0_abs),
+      D_12_abs = fabs(D->m12), Do_23b_size = KSL_MUL(D_12_abs, p_1_abs),
+      Do_23c_size = Do_23a_size + Do_23b_size, D_22_abs = fabs(D->m22),
+      Do_23d_size = KSL_MUL(D_22_abs, p_2_abs), Do_23_size = Do_23c_size + Do_23d_size;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 4.440892098500628e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(4.440892098500628e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 4.440892098500628e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(4.440892098500628e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 4.440892098500628e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(4.440892098500628e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -2454,15 +2597,15 @@ static inline void ksl_product_dinvdt_certified(const ksl_SE3_t *D, const ksl_ve
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvtx_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0 = R->m00 * k;
-  const double vo_1 = R->m10 * k;
-  const double vo_2 = R->m20 * k;
+  const double vo_0 = KSL_MUL(R->m00, k);
+  const double vo_1 = KSL_MUL(R->m10, k);
+  const double vo_2 = KSL_MUL(R->m20, k);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2476,12 +2619,18 @@ static inline void ksl_product_drvtx_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrx_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double Ro_01a_abs = fabs(Ro_01a), Ro_01b_abs = fabs(Ro_01b),
       Ro_01_size = Ro_01a_abs + Ro_01b_abs;
   const double Ro_02a_abs = fabs(Ro_02a), Ro_02b_abs = fabs(Ro_02b),
@@ -2495,17 +2644,17 @@ static inline void ksl_product_drdrx_certified(const ksl_mat3x3_t *R, const doub
   const double Ro_22a_abs = fabs(Ro_22a), Ro_22b_abs = fabs(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 2.2204460492503136e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 2.2204460492503136e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 2.2204460492503136e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 2.2204460492503136e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 2.2204460492503136e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 2.2204460492503136e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22_padded);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -2534,12 +2683,18 @@ static inline void ksl_product_drdrx_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrx_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double Do_01a_abs = fabs(Do_01a), Do_01b_abs = fabs(Do_01b),
       Do_01_size = Do_01a_abs + Do_01b_abs;
   const double Do_02a_abs = fabs(Do_02a), Do_02b_abs = fabs(Do_02b),
@@ -2553,17 +2708,17 @@ static inline void ksl_product_ddrx_certified(const ksl_SE3_t *D, const double d
   const double Do_22a_abs = fabs(Do_22a), Do_22b_abs = fabs(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 2.2204460492503136e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(2.2204460492503136e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 2.2204460492503136e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(2.2204460492503136e-16, Do_02_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 2.2204460492503136e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(2.2204460492503136e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 2.2204460492503136e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(2.2204460492503136e-16, Do_12_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 2.2204460492503136e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(2.2204460492503136e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 2.2204460492503136e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(2.2204460492503136e-16, Do_22_padded);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -2601,9 +2756,9 @@ static inline void ksl_product_ddrx_certified(const ksl_SE3_t *D, const double d
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtx_certified(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do,
     ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = Do_23a + D->m23;
   const double Do_03a_abs = fabs(Do_03a), D_03_abs = fabs(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const double Do_13a_abs = fabs(Do_13a), D_13_abs = fabs(D->m13),
@@ -2611,11 +2766,11 @@ static inline void ksl_product_ddtx_certified(const ksl_SE3_t *D, const double k
   const double Do_23a_abs = fabs(Do_23a), D_23_abs = fabs(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -2656,15 +2811,15 @@ static inline void ksl_product_ddtx_certified(const ksl_SE3_t *D, const double k
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtxinv_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
   const double vo_0a_abs = fabs(vo_0a), vo_0a_padded = vo_0a_abs + 2.004168360008973e-292,
-      vo_0a_error_bound = 1.1102230246251568e-16 * vo_0a_padded;
+      vo_0a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0a_padded);
   const double vo_1a_abs = fabs(vo_1a), vo_1a_padded = vo_1a_abs + 2.004168360008973e-292,
-      vo_1a_error_bound = 1.1102230246251568e-16 * vo_1a_padded;
+      vo_1a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1a_padded);
   const double vo_2a_abs = fabs(vo_2a), vo_2a_padded = vo_2a_abs + 2.004168360008973e-292,
-      vo_2a_error_bound = 1.1102230246251568e-16 * vo_2a_padded;
+      vo_2a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2678,12 +2833,18 @@ static inline void ksl_product_drvtxinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrxinv_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double Ro_01a_abs = fabs(Ro_01a), Ro_01b_abs = fabs(Ro_01b),
       Ro_01_size = Ro_01a_abs + Ro_01b_abs;
   const double Ro_02a_abs = fabs(Ro_02a), Ro_02b_abs = fabs(Ro_02b),
@@ -2697,17 +2858,17 @@ static inline void ksl_product_drdrxinv_certified(const ksl_mat3x3_t *R, const d
   const double Ro_22a_abs = fabs(Ro_22a), Ro_22b_abs = fabs(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 2.2204460492503136e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 2.2204460492503136e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 2.2204460492503136e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 2.2204460492503136e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 2.2204460492503136e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 2.2204460492503136e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22_padded);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -2736,12 +2897,18 @@ static inline void ksl_product_drdrxinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrxinv_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const double Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double Do_01a_abs = fabs(Do_01a), Do_01b_abs = fabs(Do_01b),
       Do_01_size = Do_01a_abs + Do_01b_abs;
   const double Do_02a_abs = fabs(Do_02a), Do_02b_abs = fabs(Do_02b),
@@ -2755,17 +2922,17 @@ static inline void ksl_product_ddrxinv_certified(const ksl_SE3_t *D, const doubl
   const double Do_22a_abs = fabs(Do_22a), Do_22b_abs = fabs(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 2.2204460492503136e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(2.2204460492503136e-16, Do_01_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 2.2204460492503136e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(2.2204460492503136e-16, Do_02_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 2.2204460492503136e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(2.2204460492503136e-16, Do_11_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 2.2204460492503136e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(2.2204460492503136e-16, Do_12_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 2.2204460492503136e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(2.2204460492503136e-16, Do_21_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 2.2204460492503136e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(2.2204460492503136e-16, Do_22_padded);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -2803,9 +2970,9 @@ static inline void ksl_product_ddrxinv_certified(const ksl_SE3_t *D, const doubl
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtxinv_certified(const ksl_SE3_t *D, const double k,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = D->m23 - Do_23a;
   const double D_03_abs = fabs(D->m03), Do_03a_abs = fabs(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const double D_13_abs = fabs(D->m13), Do_13a_abs = fabs(Do_13a),
@@ -2813,11 +2980,11 @@ static inline void ksl_product_ddtxinv_certified(const ksl_SE3_t *D, const doubl
   const double D_23_abs = fabs(D->m23), Do_23a_abs = fabs(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -2858,15 +3025,15 @@ static inline void ksl_product_ddtxinv_certified(const ksl_SE3_t *D, const doubl
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvty_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0 = R->m01 * k;
-  const double vo_1 = R->m11 * k;
-  const double vo_2 = R->m21 * k;
+  const double vo_0 = KSL_MUL(R->m01, k);
+  const double vo_1 = KSL_MUL(R->m11, k);
+  const double vo_2 = KSL_MUL(R->m21, k);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2880,12 +3047,18 @@ static inline void ksl_product_drvty_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdry_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const double Ro_02a_abs = fabs(Ro_02a), Ro_02b_abs = fabs(Ro_02b),
@@ -2899,17 +3072,17 @@ static inline void ksl_product_drdry_certified(const ksl_mat3x3_t *R, const doub
   const double Ro_22a_abs = fabs(Ro_22a), Ro_22b_abs = fabs(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 2.2204460492503136e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 2.2204460492503136e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 2.2204460492503136e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 2.2204460492503136e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 2.2204460492503136e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 2.2204460492503136e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22_padded);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -2938,12 +3111,18 @@ static inline void ksl_product_drdry_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddry_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const double Do_02a_abs = fabs(Do_02a), Do_02b_abs = fabs(Do_02b),
@@ -2957,17 +3136,17 @@ static inline void ksl_product_ddry_certified(const ksl_SE3_t *D, const double d
   const double Do_22a_abs = fabs(Do_22a), Do_22b_abs = fabs(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 2.2204460492503136e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(2.2204460492503136e-16, Do_00_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 2.2204460492503136e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(2.2204460492503136e-16, Do_02_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 2.2204460492503136e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(2.2204460492503136e-16, Do_10_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 2.2204460492503136e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(2.2204460492503136e-16, Do_12_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 2.2204460492503136e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(2.2204460492503136e-16, Do_20_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 2.2204460492503136e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(2.2204460492503136e-16, Do_22_padded);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -3005,9 +3184,9 @@ static inline void ksl_product_ddry_certified(const ksl_SE3_t *D, const double d
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddty_certified(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do,
     ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = Do_23a + D->m23;
   const double Do_03a_abs = fabs(Do_03a), D_03_abs = fabs(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const double Do_13a_abs = fabs(Do_13a), D_13_abs = fabs(D->m13),
@@ -3015,11 +3194,11 @@ static inline void ksl_product_ddty_certified(const ksl_SE3_t *D, const double k
   const double Do_23a_abs = fabs(Do_23a), D_23_abs = fabs(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3060,15 +3239,15 @@ static inline void ksl_product_ddty_certified(const ksl_SE3_t *D, const double k
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtyinv_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
   const double vo_0a_abs = fabs(vo_0a), vo_0a_padded = vo_0a_abs + 2.004168360008973e-292,
-      vo_0a_error_bound = 1.1102230246251568e-16 * vo_0a_padded;
+      vo_0a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0a_padded);
   const double vo_1a_abs = fabs(vo_1a), vo_1a_padded = vo_1a_abs + 2.004168360008973e-292,
-      vo_1a_error_bound = 1.1102230246251568e-16 * vo_1a_padded;
+      vo_1a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1a_padded);
   const double vo_2a_abs = fabs(vo_2a), vo_2a_padded = vo_2a_abs + 2.004168360008973e-292,
-      vo_2a_error_bound = 1.1102230246251568e-16 * vo_2a_padded;
+      vo_2a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3082,12 +3261,18 @@ static inline void ksl_product_drvtyinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdryinv_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const double Ro_02a_abs = fabs(Ro_02a), Ro_02b_abs = fabs(Ro_02b),
@@ -3101,17 +3286,17 @@ static inline void ksl_product_drdryinv_certified(const ksl_mat3x3_t *R, const d
   const double Ro_22a_abs = fabs(Ro_22a), Ro_22b_abs = fabs(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 2.2204460492503136e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 2.2204460492503136e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 2.2204460492503136e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 2.2204460492503136e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 2.2204460492503136e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 2.2204460492503136e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22_padded);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -3140,12 +3325,18 @@ static inline void ksl_product_drdryinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddryinv_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const double Do_02a_abs = fabs(Do_02a), Do_02b_abs = fabs(Do_02b),
@@ -3159,17 +3350,17 @@ static inline void ksl_product_ddryinv_certified(const ksl_SE3_t *D, const doubl
   const double Do_22a_abs = fabs(Do_22a), Do_22b_abs = fabs(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 2.2204460492503136e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(2.2204460492503136e-16, Do_00_padded);
   const double Do_02_padded = Do_02_size + 2.004168360008973e-292,
-      Do_02_error_bound = 2.2204460492503136e-16 * Do_02_padded;
+      Do_02_error_bound = KSL_MUL(2.2204460492503136e-16, Do_02_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 2.2204460492503136e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(2.2204460492503136e-16, Do_10_padded);
   const double Do_12_padded = Do_12_size + 2.004168360008973e-292,
-      Do_12_error_bound = 2.2204460492503136e-16 * Do_12_padded;
+      Do_12_error_bound = KSL_MUL(2.2204460492503136e-16, Do_12_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 2.2204460492503136e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(2.2204460492503136e-16, Do_20_padded);
   const double Do_22_padded = Do_22_size + 2.004168360008973e-292,
-      Do_22_error_bound = 2.2204460492503136e-16 * Do_22_padded;
+      Do_22_error_bound = KSL_MUL(2.2204460492503136e-16, Do_22_padded);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -3207,9 +3398,9 @@ static inline void ksl_product_ddryinv_certified(const ksl_SE3_t *D, const doubl
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtyinv_certified(const ksl_SE3_t *D, const double k,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = D->m23 - Do_23a;
   const double D_03_abs = fabs(D->m03), Do_03a_abs = fabs(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const double D_13_abs = fabs(D->m13), Do_13a_abs = fabs(Do_13a),
@@ -3217,11 +3408,11 @@ static inline void ksl_product_ddtyinv_certified(const ksl_SE3_t *D, const doubl
   const double D_23_abs = fabs(D->m23), Do_23a_abs = fabs(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3262,15 +3453,15 @@ static inline void ksl_product_ddtyinv_certified(const ksl_SE3_t *D, const doubl
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvtz_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0 = R->m02 * k;
-  const double vo_1 = R->m12 * k;
-  const double vo_2 = R->m22 * k;
+  const double vo_0 = KSL_MUL(R->m02, k);
+  const double vo_1 = KSL_MUL(R->m12, k);
+  const double vo_2 = KSL_MUL(R->m22, k);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3284,12 +3475,18 @@ static inline void ksl_product_drvtz_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrz_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const double Ro_01a_abs = fabs(Ro_01a), Ro_01b_abs = fabs(Ro_01b),
@@ -3303,17 +3500,17 @@ static inline void ksl_product_drdrz_certified(const ksl_mat3x3_t *R, const doub
   const double Ro_21a_abs = fabs(Ro_21a), Ro_21b_abs = fabs(Ro_21b),
       Ro_21_size = Ro_21a_abs + Ro_21b_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 2.2204460492503136e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 2.2204460492503136e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 2.2204460492503136e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 2.2204460492503136e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 2.2204460492503136e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 2.2204460492503136e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -3342,12 +3539,18 @@ static inline void ksl_product_drdrz_certified(const ksl_mat3x3_t *R, const doub
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrz_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const double Do_01a_abs = fabs(Do_01a), Do_01b_abs = fabs(Do_01b),
@@ -3361,17 +3564,17 @@ static inline void ksl_product_ddrz_certified(const ksl_SE3_t *D, const double d
   const double Do_21a_abs = fabs(Do_21a), Do_21b_abs = fabs(Do_21b),
       Do_21_size = Do_21a_abs + Do_21b_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 2.2204460492503136e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(2.2204460492503136e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 2.2204460492503136e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(2.2204460492503136e-16, Do_01_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 2.2204460492503136e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(2.2204460492503136e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 2.2204460492503136e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(2.2204460492503136e-16, Do_11_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 2.2204460492503136e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(2.2204460492503136e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 2.2204460492503136e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(2.2204460492503136e-16, Do_21_padded);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -3409,9 +3612,9 @@ static inline void ksl_product_ddrz_certified(const ksl_SE3_t *D, const double d
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtz_certified(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do,
     ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = Do_23a + D->m23;
   const double Do_03a_abs = fabs(Do_03a), D_03_abs = fabs(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const double Do_13a_abs = fabs(Do_13a), D_13_abs = fabs(D->m13),
@@ -3419,11 +3622,11 @@ static inline void ksl_product_ddtz_certified(const ksl_SE3_t *D, const double k
   const double Do_23a_abs = fabs(Do_23a), D_23_abs = fabs(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3464,15 +3667,15 @@ static inline void ksl_product_ddtz_certified(const ksl_SE3_t *D, const double k
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtzinv_certified(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
   const double vo_0a_abs = fabs(vo_0a), vo_0a_padded = vo_0a_abs + 2.004168360008973e-292,
-      vo_0a_error_bound = 1.1102230246251568e-16 * vo_0a_padded;
+      vo_0a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0a_padded);
   const double vo_1a_abs = fabs(vo_1a), vo_1a_padded = vo_1a_abs + 2.004168360008973e-292,
-      vo_1a_error_bound = 1.1102230246251568e-16 * vo_1a_padded;
+      vo_1a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1a_padded);
   const double vo_2a_abs = fabs(vo_2a), vo_2a_padded = vo_2a_abs + 2.004168360008973e-292,
-      vo_2a_error_bound = 1.1102230246251568e-16 * vo_2a_padded;
+      vo_2a_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3486,12 +3689,18 @@ static inline void ksl_product_drvtzinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrzinv_certified(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01b = KSL_MUL(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11b = KSL_MUL(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21b = KSL_MUL(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const double Ro_00a_abs = fabs(Ro_00a), Ro_00b_abs = fabs(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const double Ro_01a_abs = fabs(Ro_01a), Ro_01b_abs = fabs(Ro_01b),
@@ -3505,17 +3714,17 @@ static inline void ksl_product_drdrzinv_certified(const ksl_mat3x3_t *R, const d
   const double Ro_21a_abs = fabs(Ro_21a), Ro_21b_abs = fabs(Ro_21b),
       Ro_21_size = Ro_21a_abs + Ro_21b_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 2.2204460492503136e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 2.2204460492503136e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 2.2204460492503136e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 2.2204460492503136e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 2.2204460492503136e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 2.2204460492503136e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -3544,12 +3753,18 @@ static inline void ksl_product_drdrzinv_certified(const ksl_mat3x3_t *R, const d
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrzinv_certified(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01b = KSL_MUL(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11b = KSL_MUL(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21b = KSL_MUL(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const double Do_00a_abs = fabs(Do_00a), Do_00b_abs = fabs(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const double Do_01a_abs = fabs(Do_01a), Do_01b_abs = fabs(Do_01b),
@@ -3563,17 +3778,17 @@ static inline void ksl_product_ddrzinv_certified(const ksl_SE3_t *D, const doubl
   const double Do_21a_abs = fabs(Do_21a), Do_21b_abs = fabs(Do_21b),
       Do_21_size = Do_21a_abs + Do_21b_abs;
   const double Do_00_padded = Do_00_size + 2.004168360008973e-292,
-      Do_00_error_bound = 2.2204460492503136e-16 * Do_00_padded;
+      Do_00_error_bound = KSL_MUL(2.2204460492503136e-16, Do_00_padded);
   const double Do_01_padded = Do_01_size + 2.004168360008973e-292,
-      Do_01_error_bound = 2.2204460492503136e-16 * Do_01_padded;
+      Do_01_error_bound = KSL_MUL(2.2204460492503136e-16, Do_01_padded);
   const double Do_10_padded = Do_10_size + 2.004168360008973e-292,
-      Do_10_error_bound = 2.2204460492503136e-16 * Do_10_padded;
+      Do_10_error_bound = KSL_MUL(2.2204460492503136e-16, Do_10_padded);
   const double Do_11_padded = Do_11_size + 2.004168360008973e-292,
-      Do_11_error_bound = 2.2204460492503136e-16 * Do_11_padded;
+      Do_11_error_bound = KSL_MUL(2.2204460492503136e-16, Do_11_padded);
   const double Do_20_padded = Do_20_size + 2.004168360008973e-292,
-      Do_20_error_bound = 2.2204460492503136e-16 * Do_20_padded;
+      Do_20_error_bound = KSL_MUL(2.2204460492503136e-16, Do_20_padded);
   const double Do_21_padded = Do_21_size + 2.004168360008973e-292,
-      Do_21_error_bound = 2.2204460492503136e-16 * Do_21_padded;
+      Do_21_error_bound = KSL_MUL(2.2204460492503136e-16, Do_21_padded);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -3611,9 +3826,9 @@ static inline void ksl_product_ddrzinv_certified(const ksl_SE3_t *D, const doubl
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtzinv_certified(const ksl_SE3_t *D, const double k,
     ksl_SE3_t *Do, ksl_SE3_t *Do_bound) {
-  const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = D->m23 - Do_23a;
   const double D_03_abs = fabs(D->m03), Do_03a_abs = fabs(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const double D_13_abs = fabs(D->m13), Do_13a_abs = fabs(Do_13a),
@@ -3621,11 +3836,11 @@ static inline void ksl_product_ddtzinv_certified(const ksl_SE3_t *D, const doubl
   const double D_23_abs = fabs(D->m23), Do_23a_abs = fabs(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const double Do_03_padded = Do_03_size + 2.004168360008973e-292,
-      Do_03_error_bound = 2.2204460492503136e-16 * Do_03_padded;
+      Do_03_error_bound = KSL_MUL(2.2204460492503136e-16, Do_03_padded);
   const double Do_13_padded = Do_13_size + 2.004168360008973e-292,
-      Do_13_error_bound = 2.2204460492503136e-16 * Do_13_padded;
+      Do_13_error_bound = KSL_MUL(2.2204460492503136e-16, Do_13_padded);
   const double Do_23_padded = Do_23_size + 2.004168360008973e-292,
-      Do_23_error_bound = 2.2204460492503136e-16 * Do_23_padded;
+      Do_23_error_bound = KSL_MUL(2.2204460492503136e-16, Do_23_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3666,12 +3881,12 @@ static inline void ksl_product_ddtzinv_certified(const ksl_SE3_t *D, const doubl
    12 mul, 15 add, 9 abs. */
 static inline void ksl_product_drvf_certified(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b),
       vo_0c_size = vo_0a_abs + vo_0b_abs, vo_0d_abs = fabsf(vo_0d),
       vo_0_size = vo_0c_size + vo_0d_abs;
@@ -3682,11 +3897,11 @@ static inline void ksl_product_drvf_certified(const ksl_mat3x3f_t *R, const ksl_
       vo_2c_size = vo_2a_abs + vo_2b_abs, vo_2d_abs = fabsf(vo_2d),
       vo_2_size = vo_2c_size + vo_2d_abs;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 1.7881396e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(1.7881396e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 1.7881396e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(1.7881396e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 1.7881396e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(1.7881396e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3700,12 +3915,12 @@ static inline void ksl_product_drvf_certified(const ksl_mat3x3f_t *R, const ksl_
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_drvinvf_certified(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b),
       vo_0c_size = vo_0a_abs + vo_0b_abs, vo_0d_abs = fabsf(vo_0d),
       vo_0e_size = vo_0c_size + vo_0d_abs;
@@ -3716,11 +3931,11 @@ static inline void ksl_product_drvinvf_certified(const ksl_mat3x3f_t *R, const k
       vo_2c_size = vo_2a_abs + vo_2b_abs, vo_2d_abs = fabsf(vo_2d),
       vo_2e_size = vo_2c_size + vo_2d_abs;
   const float vo_0e_padded = vo_0e_size + 1.9721523e-31f,
-      vo_0e_error_bound = 1.7881396e-07f * vo_0e_padded;
+      vo_0e_error_bound = KSL_MULF(1.7881396e-07f, vo_0e_padded);
   const float vo_1e_padded = vo_1e_size + 1.9721523e-31f,
-      vo_1e_error_bound = 1.7881396e-07f * vo_1e_padded;
+      vo_1e_error_bound = KSL_MULF(1.7881396e-07f, vo_1e_padded);
   const float vo_2e_padded = vo_2e_size + 1.9721523e-31f,
-      vo_2e_error_bound = 1.7881396e-07f * vo_2e_padded;
+      vo_2e_error_bound = KSL_MULF(1.7881396e-07f, vo_2e_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3734,12 +3949,12 @@ static inline void ksl_product_drvinvf_certified(const ksl_mat3x3f_t *R, const k
    12 mul, 15 add, 9 abs. */
 static inline void ksl_product_drinvvf_certified(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b),
       vo_0c_size = vo_0a_abs + vo_0b_abs, vo_0d_abs = fabsf(vo_0d),
       vo_0_size = vo_0c_size + vo_0d_abs;
@@ -3750,11 +3965,11 @@ static inline void ksl_product_drinvvf_certified(const ksl_mat3x3f_t *R, const k
       vo_2c_size = vo_2a_abs + vo_2b_abs, vo_2d_abs = fabsf(vo_2d),
       vo_2_size = vo_2c_size + vo_2d_abs;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 1.7881396e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(1.7881396e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 1.7881396e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(1.7881396e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 1.7881396e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(1.7881396e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3768,12 +3983,12 @@ static inline void ksl_product_drinvvf_certified(const ksl_mat3x3f_t *R, const k
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_drinvvinvf_certified(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b),
       vo_0c_size = vo_0a_abs + vo_0b_abs, vo_0d_abs = fabsf(vo_0d),
       vo_0e_size = vo_0c_size + vo_0d_abs;
@@ -3784,11 +3999,11 @@ static inline void ksl_product_drinvvinvf_certified(const ksl_mat3x3f_t *R, cons
       vo_2c_size = vo_2a_abs + vo_2b_abs, vo_2d_abs = fabsf(vo_2d),
       vo_2e_size = vo_2c_size + vo_2d_abs;
   const float vo_0e_padded = vo_0e_size + 1.9721523e-31f,
-      vo_0e_error_bound = 1.7881396e-07f * vo_0e_padded;
+      vo_0e_error_bound = KSL_MULF(1.7881396e-07f, vo_0e_padded);
   const float vo_1e_padded = vo_1e_size + 1.9721523e-31f,
-      vo_1e_error_bound = 1.7881396e-07f * vo_1e_padded;
+      vo_1e_error_bound = KSL_MULF(1.7881396e-07f, vo_1e_padded);
   const float vo_2e_padded = vo_2e_size + 1.9721523e-31f,
-      vo_2e_error_bound = 1.7881396e-07f * vo_2e_padded;
+      vo_2e_error_bound = KSL_MULF(1.7881396e-07f, vo_2e_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3802,12 +4017,12 @@ static inline void ksl_product_drinvvinvf_certified(const ksl_mat3x3f_t *R, cons
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_dvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const float vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const float vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0b = KSL_MULF(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1b = KSL_MULF(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2b = KSL_MULF(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   const float vo_0a_abs = fabsf(vo_0a), vo_0b_abs = fabsf(vo_0b),
       vo_0c_size = vo_0a_abs + vo_0b_abs, vo_0d_abs = fabsf(vo_0d),
       vo_0e_size = vo_0c_size + vo_0d_abs, D_03_abs = fabsf(D->m03),
@@ -3821,11 +4036,11 @@ static inline void ksl_product_dvf_certified(const ksl_SE3f_t *D, const ksl_vec3
       vo_2e_size = vo_2c_size + vo_2d_abs, D_23_abs = fabsf(D->m23),
       vo_2_size = vo_2e_size + D_23_abs;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 2.3841864e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(2.3841864e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 2.3841864e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(2.3841864e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 2.3841864e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(2.3841864e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3842,30 +4057,31 @@ static inline void ksl_product_dinvvf_certified(const ksl_SE3f_t *D, const ksl_v
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
   const float p_2 = v->z - D->m23;
-  const float vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
-  const float D_00_abs = fabsf(D->m00), p_0_abs = fabsf(p_0), vo_0a_size = D_00_abs * p_0_abs,
-      D_10_abs = fabsf(D->m10), p_1_abs = fabsf(p_1), vo_0b_size = D_10_abs * p_1_abs,
-      vo_0c_size = vo_0a_size + vo_0b_size, D_20_abs = fabsf(D->m20), p_2_abs = fabsf(p_2),
-      vo_0d_size = D_20_abs * p_2_abs, vo_0_size = vo_0c_size + vo_0d_size;
-  const float D_01_abs = fabsf(D->m01), vo_1a_size = D_01_abs * p_0_abs, D_11_abs = fabsf(D->m11),
-      vo_1b_size = D_11_abs * p_1_abs, vo_1c_size = vo_1a_size + vo_1b_size,
-      D_21_abs = fabsf(D->m21), vo_1d_size = D_21_abs * p_2_abs,
-      vo_1_size = vo_1c_size + vo_1d_size;
-  const float D_02_abs = fabsf(D->m02), vo_2a_size = D_02_abs * p_0_abs, D_12_abs = fabsf(D->m12),
-      vo_2b_size = D_12_abs * p_1_abs, vo_2c_size = vo_2a_size + vo_2b_size,
-      D_22_abs = fabsf(D->m22), vo_2d_size = D_22_abs * p_2_abs,
-      vo_2_size = vo_2c_size + vo_2d_size;
+  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0b = KSL_MULF(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1b = KSL_MULF(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2b = KSL_MULF(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, p_2), vo_2 = vo_2c + vo_2d;
+  const float D_00_abs = fabsf(D->m00), p_0_abs = fabsf(p_0),
+      vo_0a_size = KSL_MULF(D_00_abs, p_0_abs), D_10_abs = fabsf(D->m10), p_1_abs = fabsf(p_1),
+      vo_0b_size = KSL_MULF(D_10_abs, p_1_abs), vo_0c_size = vo_0a_size + vo_0b_size,
+      D_20_abs = fabsf(D->m20), p_2_abs = fabsf(p_2), vo_0d_size = KSL_MULF(D_20_abs, p_2_abs),
+      vo_0_size = vo_0c_size + vo_0d_size;
+  const float D_01_abs = fabsf(D->m01), vo_1a_size = KSL_MULF(D_01_abs, p_0_abs),
+      D_11_abs = fabsf(D->m11), vo_1b_size = KSL_MULF(D_11_abs, p_1_abs),
+      vo_1c_size = vo_1a_size + vo_1b_size, D_21_abs = fabsf(D->m21),
+      vo_1d_size = KSL_MULF(D_21_abs, p_2_abs), vo_1_size = vo_1c_size + vo_1d_size;
+  const float D_02_abs = fabsf(D->m02), vo_2a_size = KSL_MULF(D_02_abs, p_0_abs),
+      D_12_abs = fabsf(D->m12), vo_2b_size = KSL_MULF(D_12_abs, p_1_abs),
+      vo_2c_size = vo_2a_size + vo_2b_size, D_22_abs = fabsf(D->m22),
+      vo_2d_size = KSL_MULF(D_22_abs, p_2_abs), vo_2_size = vo_2c_size + vo_2d_size;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 2.3841864e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(2.3841864e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 2.3841864e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(2.3841864e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 2.3841864e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(2.3841864e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3879,24 +4095,24 @@ static inline void ksl_product_dinvvf_certified(const ksl_SE3f_t *D, const ksl_v
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drdrf_certified(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22b = KSL_MULF(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabsf(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -3925,23 +4141,23 @@ static inline void ksl_product_drdrf_certified(const ksl_mat3x3f_t *R1, const ks
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabsf(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.7881396e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.7881396e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.7881396e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.7881396e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.7881396e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.7881396e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.7881396e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.7881396e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.7881396e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.7881396e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.7881396e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.7881396e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.7881396e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.7881396e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.7881396e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.7881396e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.7881396e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.7881396e-07f, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3967,24 +4183,24 @@ static inline void ksl_product_drdrf_certified(const ksl_mat3x3f_t *R1, const ks
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drdrinvf_certified(const ksl_mat3x3f_t *R1,
     const ksl_mat3x3f_t *R2, ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02b = KSL_MULF(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12b = KSL_MULF(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22b = KSL_MULF(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabsf(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -4013,23 +4229,23 @@ static inline void ksl_product_drdrinvf_certified(const ksl_mat3x3f_t *R1,
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabsf(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.7881396e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.7881396e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.7881396e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.7881396e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.7881396e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.7881396e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.7881396e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.7881396e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.7881396e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.7881396e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.7881396e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.7881396e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.7881396e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.7881396e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.7881396e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.7881396e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.7881396e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.7881396e-07f, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -4055,24 +4271,24 @@ static inline void ksl_product_drdrinvf_certified(const ksl_mat3x3f_t *R1,
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_drinvdrf_certified(const ksl_mat3x3f_t *R1,
     const ksl_mat3x3f_t *R2, ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20b = KSL_MULF(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21b = KSL_MULF(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22b = KSL_MULF(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00c_size = Ro_00a_abs + Ro_00b_abs, Ro_00d_abs = fabsf(Ro_00d),
       Ro_00_size = Ro_00c_size + Ro_00d_abs;
@@ -4101,23 +4317,23 @@ static inline void ksl_product_drinvdrf_certified(const ksl_mat3x3f_t *R1,
       Ro_22c_size = Ro_22a_abs + Ro_22b_abs, Ro_22d_abs = fabsf(Ro_22d),
       Ro_22_size = Ro_22c_size + Ro_22d_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.7881396e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.7881396e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.7881396e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.7881396e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.7881396e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.7881396e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.7881396e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.7881396e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.7881396e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.7881396e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.7881396e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.7881396e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.7881396e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.7881396e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.7881396e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.7881396e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.7881396e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.7881396e-07f, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -4143,30 +4359,33 @@ static inline void ksl_product_drinvdrf_certified(const ksl_mat3x3f_t *R1,
    48 mul, 66 add, 39 abs. */
 static inline void ksl_product_ddf_certified(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03b = KSL_MULF(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13b = KSL_MULF(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20b = KSL_MULF(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21b = KSL_MULF(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22b = KSL_MULF(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23b = KSL_MULF(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabsf(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -4207,29 +4426,29 @@ static inline void ksl_product_ddf_certified(const ksl_SE3f_t *D1, const ksl_SE3
       Do_23e_size = Do_23c_size + Do_23d_abs, D1_23_abs = fabsf(D1->m23),
       Do_23_size = Do_23e_size + D1_23_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.7881396e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.7881396e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.7881396e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.7881396e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.7881396e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.7881396e-07f, Do_02_padded);
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 2.3841864e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(2.3841864e-07f, Do_03_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.7881396e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.7881396e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.7881396e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.7881396e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.7881396e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.7881396e-07f, Do_12_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 2.3841864e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(2.3841864e-07f, Do_13_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.7881396e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.7881396e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.7881396e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.7881396e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.7881396e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.7881396e-07f, Do_22_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 2.3841864e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(2.3841864e-07f, Do_23_padded);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -4261,30 +4480,33 @@ static inline void ksl_product_ddf_certified(const ksl_SE3f_t *D1, const ksl_SE3
    57 mul, 66 add, 33 abs. */
 static inline void ksl_product_ddinvf_certified(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const float R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const float R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const float R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const float R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const float R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const float R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const float R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const float R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const float Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0b = KSL_MULF(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MULF(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1b = KSL_MULF(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MULF(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2b = KSL_MULF(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MULF(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3b = KSL_MULF(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MULF(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4b = KSL_MULF(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MULF(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5b = KSL_MULF(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MULF(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6b = KSL_MULF(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MULF(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7b = KSL_MULF(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MULF(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8b = KSL_MULF(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MULF(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03b = KSL_MULF(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13b = KSL_MULF(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23b = KSL_MULF(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   const float R_0a_abs = fabsf(R_0a), R_0b_abs = fabsf(R_0b), R_0c_size = R_0a_abs + R_0b_abs,
       R_0d_abs = fabsf(R_0d), R_0_size = R_0c_size + R_0d_abs;
   const float R_1a_abs = fabsf(R_1a), R_1b_abs = fabsf(R_1b), R_1c_size = R_1a_abs + R_1b_abs,
@@ -4304,43 +4526,47 @@ static inline void ksl_product_ddinvf_certified(const ksl_SE3f_t *D1, const ksl_
   const float R_8a_abs = fabsf(R_8a), R_8b_abs = fabsf(R_8b), R_8c_size = R_8a_abs + R_8b_abs,
       R_8d_abs = fabsf(R_8d), R_8_size = R_8c_size + R_8d_abs;
   const float R_0_padded = R_0_size + 1.9721523e-31f;
-  const float D2_03_abs = fabsf(D2->m03), Do_03a_size = D2_03_abs * R_0_padded;
+  const float D2_03_abs = fabsf(D2->m03), Do_03a_size = KSL_MULF(D2_03_abs, R_0_padded);
   const float R_1_padded = R_1_size + 1.9721523e-31f;
-  const float D2_13_abs = fabsf(D2->m13), Do_03b_size = D2_13_abs * R_1_padded,
+  const float D2_13_abs = fabsf(D2->m13), Do_03b_size = KSL_MULF(D2_13_abs, R_1_padded),
       Do_03c_size = Do_03a_size + Do_03b_size;
   const float R_2_padded = R_2_size + 1.9721523e-31f;
-  const float D2_23_abs = fabsf(D2->m23), Do_03d_size = D2_23_abs * R_2_padded,
+  const float D2_23_abs = fabsf(D2->m23), Do_03d_size = KSL_MULF(D2_23_abs, R_2_padded),
       Do_03e_size = Do_03c_size + Do_03d_size, D1_03_abs = fabsf(D1->m03),
       Do_03_size = D1_03_abs + Do_03e_size;
   const float R_3_padded = R_3_size + 1.9721523e-31f;
-  const float Do_13a_size = D2_03_abs * R_3_padded;
+  const float Do_13a_size = KSL_MULF(D2_03_abs, R_3_padded);
   const float R_4_padded = R_4_size + 1.9721523e-31f;
-  const float Do_13b_size = D2_13_abs * R_4_padded, Do_13c_size = Do_13a_size + Do_13b_size;
+  const float Do_13b_size = KSL_MULF(D2_13_abs, R_4_padded),
+      Do_13c_size = Do_13a_size + Do_13b_size;
   const float R_5_padded = R_5_size + 1.9721523e-31f;
-  const float Do_13d_size = D2_23_abs * R_5_padded, Do_13e_size = Do_13c_size + Do_13d_size,
-      D1_13_abs = fabsf(D1->m13), Do_13_size = D1_13_abs + Do_13e_size;
+  const float Do_13d_size = KSL_MULF(D2_23_abs, R_5_padded),
+      Do_13e_size = Do_13c_size + Do_13d_size, D1_13_abs = fabsf(D1->m13),
+      Do_13_size = D1_13_abs + Do_13e_size;
   const float R_6_padded = R_6_size + 1.9721523e-31f;
-  const float Do_23a_size = D2_03_abs * R_6_padded;
+  const float Do_23a_size = KSL_MULF(D2_03_abs, R_6_padded);
   const float R_7_padded = R_7_size + 1.9721523e-31f;
-  const float Do_23b_size = D2_13_abs * R_7_padded, Do_23c_size = Do_23a_size + Do_23b_size;
+  const float Do_23b_size = KSL_MULF(D2_13_abs, R_7_padded),
+      Do_23c_size = Do_23a_size + Do_23b_size;
   const float R_8_padded = R_8_size + 1.9721523e-31f;
-  const float Do_23d_size = D2_23_abs * R_8_padded, Do_23e_size = Do_23c_size + Do_23d_size,
-      D1_23_abs = fabsf(D1->m23), Do_23_size = D1_23_abs + Do_23e_size;
-  const float R_0_error_bound = 1.7881396e-07f * R_0_padded;
-  const float R_1_error_bound = 1.7881396e-07f * R_1_padded;
-  const float R_2_error_bound = 1.7881396e-07f * R_2_padded;
+  const float Do_23d_size = KSL_MULF(D2_23_abs, R_8_padded),
+      Do_23e_size = Do_23c_size + Do_23d_size, D1_23_abs = fabsf(D1->m23),
+      Do_23_size = D1_23_abs + Do_23e_size;
+  const float R_0_error_bound = KSL_MULF(1.7881396e-07f, R_0_padded);
+  const float R_1_error_bound = KSL_MULF(1.7881396e-07f, R_1_padded);
+  const float R_2_error_bound = KSL_MULF(1.7881396e-07f, R_2_padded);
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 4.1723263e-07f * Do_03_padded;
-  const float R_3_error_bound = 1.7881396e-07f * R_3_padded;
-  const float R_4_error_bound = 1.7881396e-07f * R_4_padded;
-  const float R_5_error_bound = 1.7881396e-07f * R_5_padded;
+      Do_03_error_bound = KSL_MULF(4.1723263e-07f, Do_03_padded);
+  const float R_3_error_bound = KSL_MULF(1.7881396e-07f, R_3_padded);
+  const float R_4_error_bound = KSL_MULF(1.7881396e-07f, R_4_padded);
+  const float R_5_error_bound = KSL_MULF(1.7881396e-07f, R_5_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 4.1723263e-07f * Do_13_padded;
-  const float R_6_error_bound = 1.7881396e-07f * R_6_padded;
-  const float R_7_error_bound = 1.7881396e-07f * R_7_padded;
-  const float R_8_error_bound = 1.7881396e-07f * R_8_padded;
+      Do_13_error_bound = KSL_MULF(4.1723263e-07f, Do_13_padded);
+  const float R_6_error_bound = KSL_MULF(1.7881396e-07f, R_6_padded);
+  const float R_7_error_bound = KSL_MULF(1.7881396e-07f, R_7_padded);
+  const float R_8_error_bound = KSL_MULF(1.7881396e-07f, R_8_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 4.1723263e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(4.1723263e-07f, Do_23_padded);
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -4375,30 +4601,30 @@ static inline void ksl_product_dinvdf_certified(const ksl_SE3f_t *D1, const ksl_
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
   const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03b = KSL_MULF(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13b = KSL_MULF(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20b = KSL_MULF(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21b = KSL_MULF(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22b = KSL_MULF(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23b = KSL_MULF(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabsf(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -4408,10 +4634,11 @@ static inline void ksl_product_dinvdf_certified(const ksl_SE3f_t *D1, const ksl_
   const float Do_02a_abs = fabsf(Do_02a), Do_02b_abs = fabsf(Do_02b),
       Do_02c_size = Do_02a_abs + Do_02b_abs, Do_02d_abs = fabsf(Do_02d),
       Do_02_size = Do_02c_size + Do_02d_abs;
-  const float D1_00_abs = fabsf(D1->m00), p_0_abs = fabsf(p_0), Do_03a_size = D1_00_abs * p_0_abs,
-      D1_10_abs = fabsf(D1->m10), p_1_abs = fabsf(p_1), Do_03b_size = D1_10_abs * p_1_abs,
-      Do_03c_size = Do_03a_size + Do_03b_size, D1_20_abs = fabsf(D1->m20), p_2_abs = fabsf(p_2),
-      Do_03d_size = D1_20_abs * p_2_abs, Do_03_size = Do_03c_size + Do_03d_size;
+  const float D1_00_abs = fabsf(D1->m00), p_0_abs = fabsf(p_0),
+      Do_03a_size = KSL_MULF(D1_00_abs, p_0_abs), D1_10_abs = fabsf(D1->m10), p_1_abs = fabsf(p_1),
+      Do_03b_size = KSL_MULF(D1_10_abs, p_1_abs), Do_03c_size = Do_03a_size + Do_03b_size,
+      D1_20_abs = fabsf(D1->m20), p_2_abs = fabsf(p_2), Do_03d_size = KSL_MULF(D1_20_abs, p_2_abs),
+      Do_03_size = Do_03c_size + Do_03d_size;
   const float Do_10a_abs = fabsf(Do_10a), Do_10b_abs = fabsf(Do_10b),
       Do_10c_size = Do_10a_abs + Do_10b_abs, Do_10d_abs = fabsf(Do_10d),
       Do_10_size = Do_10c_size + Do_10d_abs;
@@ -4421,10 +4648,10 @@ static inline void ksl_product_dinvdf_certified(const ksl_SE3f_t *D1, const ksl_
   const float Do_12a_abs = fabsf(Do_12a), Do_12b_abs = fabsf(Do_12b),
       Do_12c_size = Do_12a_abs + Do_12b_abs, Do_12d_abs = fabsf(Do_12d),
       Do_12_size = Do_12c_size + Do_12d_abs;
-  const float D1_01_abs = fabsf(D1->m01), Do_13a_size = D1_01_abs * p_0_abs,
-      D1_11_abs = fabsf(D1->m11), Do_13b_size = D1_11_abs * p_1_abs,
+  const float D1_01_abs = fabsf(D1->m01), Do_13a_size = KSL_MULF(D1_01_abs, p_0_abs),
+      D1_11_abs = fabsf(D1->m11), Do_13b_size = KSL_MULF(D1_11_abs, p_1_abs),
       Do_13c_size = Do_13a_size + Do_13b_size, D1_21_abs = fabsf(D1->m21),
-      Do_13d_size = D1_21_abs * p_2_abs, Do_13_size = Do_13c_size + Do_13d_size;
+      Do_13d_size = KSL_MULF(D1_21_abs, p_2_abs), Do_13_size = Do_13c_size + Do_13d_size;
   const float Do_20a_abs = fabsf(Do_20a), Do_20b_abs = fabsf(Do_20b),
       Do_20c_size = Do_20a_abs + Do_20b_abs, Do_20d_abs = fabsf(Do_20d),
       Do_20_size = Do_20c_size + Do_20d_abs;
@@ -4434,34 +4661,34 @@ static inline void ksl_product_dinvdf_certified(const ksl_SE3f_t *D1, const ksl_
   const float Do_22a_abs = fabsf(Do_22a), Do_22b_abs = fabsf(Do_22b),
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabsf(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
-  const float D1_02_abs = fabsf(D1->m02), Do_23a_size = D1_02_abs * p_0_abs,
-      D1_12_abs = fabsf(D1->m12), Do_23b_size = D1_12_abs * p_1_abs,
+  const float D1_02_abs = fabsf(D1->m02), Do_23a_size = KSL_MULF(D1_02_abs, p_0_abs),
+      D1_12_abs = fabsf(D1->m12), Do_23b_size = KSL_MULF(D1_12_abs, p_1_abs),
       Do_23c_size = Do_23a_size + Do_23b_size, D1_22_abs = fabsf(D1->m22),
-      Do_23d_size = D1_22_abs * p_2_abs, Do_23_size = Do_23c_size + Do_23d_size;
+      Do_23d_size = KSL_MULF(D1_22_abs, p_2_abs), Do_23_size = Do_23c_size + Do_23d_size;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.7881396e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.7881396e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.7881396e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.7881396e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.7881396e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.7881396e-07f, Do_02_padded);
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 2.3841864e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(2.3841864e-07f, Do_03_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.7881396e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.7881396e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.7881396e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.7881396e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.7881396e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.7881396e-07f, Do_12_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 2.3841864e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(2.3841864e-07f, Do_13_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.7881396e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.7881396e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.7881396e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.7881396e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.7881396e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.7881396e-07f, Do_22_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 2.3841864e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(2.3841864e-07f, Do_23_padded);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -4493,24 +4720,24 @@ static inline void ksl_product_dinvdf_certified(const ksl_SE3f_t *D1, const ksl_
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_ddrf_certified(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02b = KSL_MULF(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12b = KSL_MULF(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22b = KSL_MULF(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabsf(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -4539,23 +4766,23 @@ static inline void ksl_product_ddrf_certified(const ksl_SE3f_t *D, const ksl_mat
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabsf(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.7881396e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.7881396e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.7881396e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.7881396e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.7881396e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.7881396e-07f, Do_02_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.7881396e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.7881396e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.7881396e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.7881396e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.7881396e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.7881396e-07f, Do_12_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.7881396e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.7881396e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.7881396e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.7881396e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.7881396e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.7881396e-07f, Do_22_padded);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -4590,24 +4817,24 @@ static inline void ksl_product_ddrf_certified(const ksl_SE3f_t *D, const ksl_mat
    36 mul, 45 add, 27 abs. */
 static inline void ksl_product_ddrinvf_certified(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02b = KSL_MULF(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12b = KSL_MULF(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22b = KSL_MULF(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00c_size = Do_00a_abs + Do_00b_abs, Do_00d_abs = fabsf(Do_00d),
       Do_00_size = Do_00c_size + Do_00d_abs;
@@ -4636,23 +4863,23 @@ static inline void ksl_product_ddrinvf_certified(const ksl_SE3f_t *D, const ksl_
       Do_22c_size = Do_22a_abs + Do_22b_abs, Do_22d_abs = fabsf(Do_22d),
       Do_22_size = Do_22c_size + Do_22d_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.7881396e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.7881396e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.7881396e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.7881396e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.7881396e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.7881396e-07f, Do_02_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.7881396e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.7881396e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.7881396e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.7881396e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.7881396e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.7881396e-07f, Do_12_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.7881396e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.7881396e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.7881396e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.7881396e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.7881396e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.7881396e-07f, Do_22_padded);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -4687,12 +4914,15 @@ static inline void ksl_product_ddrinvf_certified(const ksl_SE3f_t *D, const ksl_
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_ddtf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const float Do_03a_abs = fabsf(Do_03a), Do_03b_abs = fabsf(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabsf(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs, D_03_abs = fabsf(D->m03),
@@ -4706,11 +4936,11 @@ static inline void ksl_product_ddtf_certified(const ksl_SE3f_t *D, const ksl_vec
       Do_23e_size = Do_23c_size + Do_23d_abs, D_23_abs = fabsf(D->m23),
       Do_23_size = Do_23e_size + D_23_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 2.3841864e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(2.3841864e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 2.3841864e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(2.3841864e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 2.3841864e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(2.3841864e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4751,12 +4981,15 @@ static inline void ksl_product_ddtf_certified(const ksl_SE3f_t *D, const ksl_vec
    12 mul, 21 add, 12 abs. */
 static inline void ksl_product_ddtinvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const float Do_03a_abs = fabsf(Do_03a), Do_03b_abs = fabsf(Do_03b),
       Do_03c_size = Do_03a_abs + Do_03b_abs, Do_03d_abs = fabsf(Do_03d),
       Do_03e_size = Do_03c_size + Do_03d_abs, D_03_abs = fabsf(D->m03),
@@ -4770,11 +5003,11 @@ static inline void ksl_product_ddtinvf_certified(const ksl_SE3f_t *D, const ksl_
       Do_23e_size = Do_23c_size + Do_23d_abs, D_23_abs = fabsf(D->m23),
       Do_23_size = D_23_abs + Do_23e_size;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 2.3841864e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(2.3841864e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 2.3841864e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(2.3841864e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 2.3841864e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(2.3841864e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4818,30 +5051,31 @@ static inline void ksl_product_dinvdtf_certified(const ksl_SE3f_t *D, const ksl_
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
   const float p_2 = t->z - D->m23;
-  const float Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
-  const float D_00_abs = fabsf(D->m00), p_0_abs = fabsf(p_0), Do_03a_size = D_00_abs * p_0_abs,
-      D_10_abs = fabsf(D->m10), p_1_abs = fabsf(p_1), Do_03b_size = D_10_abs * p_1_abs,
-      Do_03c_size = Do_03a_size + Do_03b_size, D_20_abs = fabsf(D->m20), p_2_abs = fabsf(p_2),
-      Do_03d_size = D_20_abs * p_2_abs, Do_03_size = Do_03c_size + Do_03d_size;
-  const float D_01_abs = fabsf(D->m01), Do_13a_size = D_01_abs * p_0_abs, D_11_abs = fabsf(D->m11),
-      Do_13b_size = D_11_abs * p_1_abs, Do_13c_size = Do_13a_size + Do_13b_size,
-      D_21_abs = fabsf(D->m21), Do_13d_size = D_21_abs * p_2_abs,
-      Do_13_size = Do_13c_size + Do_13d_size;
-  const float D_02_abs = fabsf(D->m02), Do_23a_size = D_02_abs * p_0_abs, D_12_abs = fabsf(D->m12),
-      Do_23b_size = D_12_abs * p_1_abs, Do_23c_size = Do_23a_size + Do_23b_size,
-      D_22_abs = fabsf(D->m22), Do_23d_size = D_22_abs * p_2_abs,
-      Do_23_size = Do_23c_size + Do_23d_size;
+  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03b = KSL_MULF(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13b = KSL_MULF(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23b = KSL_MULF(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const float D_00_abs = fabsf(D->m00), p_0_abs = fabsf(p_0),
+      Do_03a_size = KSL_MULF(D_00_abs, p_0_abs), D_10_abs = fabsf(D->m10), p_1_abs = fabsf(p_1),
+      Do_03b_size = KSL_MULF(D_10_abs, p_1_abs), Do_03c_size = Do_03a_size + Do_03b_size,
+      D_20_abs = fabsf(D->m20), p_2_abs = fabsf(p_2), Do_03d_size = KSL_MULF(D_20_abs, p_2_abs),
+      Do_03_size = Do_03c_size + Do_03d_size;
+  const float D_01_abs = fabsf(D->m01), Do_13a_size = KSL_MULF(D_01_abs, p_0_abs),
+      D_11_abs = fabsf(D->m11), Do_13b_size = KSL_MULF(D_11_abs, p_1_abs),
+      Do_13c_size = Do_13a_size + Do_13b_size, D_21_abs = fabsf(D->m21),
+      Do_13d_size = KSL_MULF(D_21_abs, p_2_abs), Do_13_size = Do_13c_size + Do_13d_size;
+  const float D_02_abs = fabsf(D->m02), Do_23a_size = KSL_MULF(D_02_abs, p_0_abs),
+      D_12_abs = fabsf(D->m12), Do_23b_size = KSL_MULF(D_12_abs, p_1_abs),
+      Do_23c_size = Do_23a_size + Do_23b_size, D_22_abs = fabsf(D->m22),
+      Do_23d_size = KSL_MULF(D_22_abs, p_2_abs), Do_23_size = Do_23c_size + Do_23d_size;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 2.3841864e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(2.3841864e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 2.3841864e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(2.3841864e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 2.3841864e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(2.3841864e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -4882,15 +5116,15 @@ static inline void ksl_product_dinvdtf_certified(const ksl_SE3f_t *D, const ksl_
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvtxf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = R->m00 * k;
-  const float vo_1 = R->m10 * k;
-  const float vo_2 = R->m20 * k;
+  const float vo_0 = KSL_MULF(R->m00, k);
+  const float vo_1 = KSL_MULF(R->m10, k);
+  const float vo_2 = KSL_MULF(R->m20, k);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -4904,12 +5138,18 @@ static inline void ksl_product_drvtxf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrxf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float Ro_01a_abs = fabsf(Ro_01a), Ro_01b_abs = fabsf(Ro_01b),
       Ro_01_size = Ro_01a_abs + Ro_01b_abs;
   const float Ro_02a_abs = fabsf(Ro_02a), Ro_02b_abs = fabsf(Ro_02b),
@@ -4923,17 +5163,17 @@ static inline void ksl_product_drdrxf_certified(const ksl_mat3x3f_t *R, const fl
   const float Ro_22a_abs = fabsf(Ro_22a), Ro_22b_abs = fabsf(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.192093e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.192093e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.192093e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.192093e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.192093e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.192093e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.192093e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.192093e-07f, Ro_22_padded);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -4962,12 +5202,18 @@ static inline void ksl_product_drdrxf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrxf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float Do_01a_abs = fabsf(Do_01a), Do_01b_abs = fabsf(Do_01b),
       Do_01_size = Do_01a_abs + Do_01b_abs;
   const float Do_02a_abs = fabsf(Do_02a), Do_02b_abs = fabsf(Do_02b),
@@ -4981,17 +5227,17 @@ static inline void ksl_product_ddrxf_certified(const ksl_SE3f_t *D, const float 
   const float Do_22a_abs = fabsf(Do_22a), Do_22b_abs = fabsf(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.192093e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.192093e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.192093e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.192093e-07f, Do_02_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.192093e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.192093e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.192093e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.192093e-07f, Do_12_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.192093e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.192093e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.192093e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.192093e-07f, Do_22_padded);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -5029,9 +5275,9 @@ static inline void ksl_product_ddrxf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtxf_certified(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do,
     ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = Do_23a + D->m23;
   const float Do_03a_abs = fabsf(Do_03a), D_03_abs = fabsf(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const float Do_13a_abs = fabsf(Do_13a), D_13_abs = fabsf(D->m13),
@@ -5039,11 +5285,11 @@ static inline void ksl_product_ddtxf_certified(const ksl_SE3f_t *D, const float 
   const float Do_23a_abs = fabsf(Do_23a), D_23_abs = fabsf(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -5084,15 +5330,15 @@ static inline void ksl_product_ddtxf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtxinvf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
   const float vo_0a_abs = fabsf(vo_0a), vo_0a_padded = vo_0a_abs + 1.9721523e-31f,
-      vo_0a_error_bound = 5.960465e-08f * vo_0a_padded;
+      vo_0a_error_bound = KSL_MULF(5.960465e-08f, vo_0a_padded);
   const float vo_1a_abs = fabsf(vo_1a), vo_1a_padded = vo_1a_abs + 1.9721523e-31f,
-      vo_1a_error_bound = 5.960465e-08f * vo_1a_padded;
+      vo_1a_error_bound = KSL_MULF(5.960465e-08f, vo_1a_padded);
   const float vo_2a_abs = fabsf(vo_2a), vo_2a_padded = vo_2a_abs + 1.9721523e-31f,
-      vo_2a_error_bound = 5.960465e-08f * vo_2a_padded;
+      vo_2a_error_bound = KSL_MULF(5.960465e-08f, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -5106,12 +5352,18 @@ static inline void ksl_product_drvtxinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrxinvf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const float Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float Ro_01a_abs = fabsf(Ro_01a), Ro_01b_abs = fabsf(Ro_01b),
       Ro_01_size = Ro_01a_abs + Ro_01b_abs;
   const float Ro_02a_abs = fabsf(Ro_02a), Ro_02b_abs = fabsf(Ro_02b),
@@ -5125,17 +5377,17 @@ static inline void ksl_product_drdrxinvf_certified(const ksl_mat3x3f_t *R, const
   const float Ro_22a_abs = fabsf(Ro_22a), Ro_22b_abs = fabsf(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.192093e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.192093e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.192093e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.192093e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.192093e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.192093e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.192093e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.192093e-07f, Ro_22_padded);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -5164,12 +5416,18 @@ static inline void ksl_product_drdrxinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrxinvf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const float Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float Do_01a_abs = fabsf(Do_01a), Do_01b_abs = fabsf(Do_01b),
       Do_01_size = Do_01a_abs + Do_01b_abs;
   const float Do_02a_abs = fabsf(Do_02a), Do_02b_abs = fabsf(Do_02b),
@@ -5183,17 +5441,17 @@ static inline void ksl_product_ddrxinvf_certified(const ksl_SE3f_t *D, const flo
   const float Do_22a_abs = fabsf(Do_22a), Do_22b_abs = fabsf(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.192093e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.192093e-07f, Do_01_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.192093e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.192093e-07f, Do_02_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.192093e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.192093e-07f, Do_11_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.192093e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.192093e-07f, Do_12_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.192093e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.192093e-07f, Do_21_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.192093e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.192093e-07f, Do_22_padded);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -5231,9 +5489,9 @@ static inline void ksl_product_ddrxinvf_certified(const ksl_SE3f_t *D, const flo
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtxinvf_certified(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = D->m23 - Do_23a;
   const float D_03_abs = fabsf(D->m03), Do_03a_abs = fabsf(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const float D_13_abs = fabsf(D->m13), Do_13a_abs = fabsf(Do_13a),
@@ -5241,11 +5499,11 @@ static inline void ksl_product_ddtxinvf_certified(const ksl_SE3f_t *D, const flo
   const float D_23_abs = fabsf(D->m23), Do_23a_abs = fabsf(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -5286,15 +5544,15 @@ static inline void ksl_product_ddtxinvf_certified(const ksl_SE3f_t *D, const flo
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvtyf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = R->m01 * k;
-  const float vo_1 = R->m11 * k;
-  const float vo_2 = R->m21 * k;
+  const float vo_0 = KSL_MULF(R->m01, k);
+  const float vo_1 = KSL_MULF(R->m11, k);
+  const float vo_2 = KSL_MULF(R->m21, k);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -5308,12 +5566,18 @@ static inline void ksl_product_drvtyf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdryf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const float Ro_02a_abs = fabsf(Ro_02a), Ro_02b_abs = fabsf(Ro_02b),
@@ -5327,17 +5591,17 @@ static inline void ksl_product_drdryf_certified(const ksl_mat3x3f_t *R, const fl
   const float Ro_22a_abs = fabsf(Ro_22a), Ro_22b_abs = fabsf(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.192093e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.192093e-07f, Ro_00_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.192093e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.192093e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.192093e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.192093e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.192093e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.192093e-07f, Ro_22_padded);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -5366,12 +5630,18 @@ static inline void ksl_product_drdryf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddryf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const float Do_02a_abs = fabsf(Do_02a), Do_02b_abs = fabsf(Do_02b),
@@ -5385,17 +5655,17 @@ static inline void ksl_product_ddryf_certified(const ksl_SE3f_t *D, const float 
   const float Do_22a_abs = fabsf(Do_22a), Do_22b_abs = fabsf(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.192093e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.192093e-07f, Do_00_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.192093e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.192093e-07f, Do_02_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.192093e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.192093e-07f, Do_10_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.192093e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.192093e-07f, Do_12_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.192093e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.192093e-07f, Do_20_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.192093e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.192093e-07f, Do_22_padded);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -5433,9 +5703,9 @@ static inline void ksl_product_ddryf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtyf_certified(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do,
     ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = Do_23a + D->m23;
   const float Do_03a_abs = fabsf(Do_03a), D_03_abs = fabsf(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const float Do_13a_abs = fabsf(Do_13a), D_13_abs = fabsf(D->m13),
@@ -5443,11 +5713,11 @@ static inline void ksl_product_ddtyf_certified(const ksl_SE3f_t *D, const float 
   const float Do_23a_abs = fabsf(Do_23a), D_23_abs = fabsf(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -5488,15 +5758,15 @@ static inline void ksl_product_ddtyf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtyinvf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
   const float vo_0a_abs = fabsf(vo_0a), vo_0a_padded = vo_0a_abs + 1.9721523e-31f,
-      vo_0a_error_bound = 5.960465e-08f * vo_0a_padded;
+      vo_0a_error_bound = KSL_MULF(5.960465e-08f, vo_0a_padded);
   const float vo_1a_abs = fabsf(vo_1a), vo_1a_padded = vo_1a_abs + 1.9721523e-31f,
-      vo_1a_error_bound = 5.960465e-08f * vo_1a_padded;
+      vo_1a_error_bound = KSL_MULF(5.960465e-08f, vo_1a_padded);
   const float vo_2a_abs = fabsf(vo_2a), vo_2a_padded = vo_2a_abs + 1.9721523e-31f,
-      vo_2a_error_bound = 5.960465e-08f * vo_2a_padded;
+      vo_2a_error_bound = KSL_MULF(5.960465e-08f, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -5510,12 +5780,18 @@ static inline void ksl_product_drvtyinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdryinvf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const float Ro_02a_abs = fabsf(Ro_02a), Ro_02b_abs = fabsf(Ro_02b),
@@ -5529,17 +5805,17 @@ static inline void ksl_product_drdryinvf_certified(const ksl_mat3x3f_t *R, const
   const float Ro_22a_abs = fabsf(Ro_22a), Ro_22b_abs = fabsf(Ro_22b),
       Ro_22_size = Ro_22a_abs + Ro_22b_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.192093e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.192093e-07f, Ro_00_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 1.192093e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.192093e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 1.192093e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.192093e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 1.192093e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(1.192093e-07f, Ro_22_padded);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -5568,12 +5844,18 @@ static inline void ksl_product_drdryinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddryinvf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const float Do_02a_abs = fabsf(Do_02a), Do_02b_abs = fabsf(Do_02b),
@@ -5587,17 +5869,17 @@ static inline void ksl_product_ddryinvf_certified(const ksl_SE3f_t *D, const flo
   const float Do_22a_abs = fabsf(Do_22a), Do_22b_abs = fabsf(Do_22b),
       Do_22_size = Do_22a_abs + Do_22b_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.192093e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.192093e-07f, Do_00_padded);
   const float Do_02_padded = Do_02_size + 1.9721523e-31f,
-      Do_02_error_bound = 1.192093e-07f * Do_02_padded;
+      Do_02_error_bound = KSL_MULF(1.192093e-07f, Do_02_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.192093e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.192093e-07f, Do_10_padded);
   const float Do_12_padded = Do_12_size + 1.9721523e-31f,
-      Do_12_error_bound = 1.192093e-07f * Do_12_padded;
+      Do_12_error_bound = KSL_MULF(1.192093e-07f, Do_12_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.192093e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.192093e-07f, Do_20_padded);
   const float Do_22_padded = Do_22_size + 1.9721523e-31f,
-      Do_22_error_bound = 1.192093e-07f * Do_22_padded;
+      Do_22_error_bound = KSL_MULF(1.192093e-07f, Do_22_padded);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -5635,9 +5917,9 @@ static inline void ksl_product_ddryinvf_certified(const ksl_SE3f_t *D, const flo
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtyinvf_certified(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = D->m23 - Do_23a;
   const float D_03_abs = fabsf(D->m03), Do_03a_abs = fabsf(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const float D_13_abs = fabsf(D->m13), Do_13a_abs = fabsf(Do_13a),
@@ -5645,11 +5927,11 @@ static inline void ksl_product_ddtyinvf_certified(const ksl_SE3f_t *D, const flo
   const float D_23_abs = fabsf(D->m23), Do_23a_abs = fabsf(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -5690,15 +5972,15 @@ static inline void ksl_product_ddtyinvf_certified(const ksl_SE3f_t *D, const flo
    6 mul, 3 add, 3 abs. */
 static inline void ksl_product_drvtzf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0 = R->m02 * k;
-  const float vo_1 = R->m12 * k;
-  const float vo_2 = R->m22 * k;
+  const float vo_0 = KSL_MULF(R->m02, k);
+  const float vo_1 = KSL_MULF(R->m12, k);
+  const float vo_2 = KSL_MULF(R->m22, k);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -5712,12 +5994,18 @@ static inline void ksl_product_drvtzf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrzf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const float Ro_01a_abs = fabsf(Ro_01a), Ro_01b_abs = fabsf(Ro_01b),
@@ -5731,17 +6019,17 @@ static inline void ksl_product_drdrzf_certified(const ksl_mat3x3f_t *R, const fl
   const float Ro_21a_abs = fabsf(Ro_21a), Ro_21b_abs = fabsf(Ro_21b),
       Ro_21_size = Ro_21a_abs + Ro_21b_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.192093e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.192093e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.192093e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.192093e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.192093e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.192093e-07f, Ro_11_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.192093e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.192093e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -5770,12 +6058,18 @@ static inline void ksl_product_drdrzf_certified(const ksl_mat3x3f_t *R, const fl
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrzf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const float Do_01a_abs = fabsf(Do_01a), Do_01b_abs = fabsf(Do_01b),
@@ -5789,17 +6083,17 @@ static inline void ksl_product_ddrzf_certified(const ksl_SE3f_t *D, const float 
   const float Do_21a_abs = fabsf(Do_21a), Do_21b_abs = fabsf(Do_21b),
       Do_21_size = Do_21a_abs + Do_21b_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.192093e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.192093e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.192093e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.192093e-07f, Do_01_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.192093e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.192093e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.192093e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.192093e-07f, Do_11_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.192093e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.192093e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.192093e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.192093e-07f, Do_21_padded);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -5837,9 +6131,9 @@ static inline void ksl_product_ddrzf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtzf_certified(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do,
     ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = Do_23a + D->m23;
   const float Do_03a_abs = fabsf(Do_03a), D_03_abs = fabsf(D->m03),
       Do_03_size = Do_03a_abs + D_03_abs;
   const float Do_13a_abs = fabsf(Do_13a), D_13_abs = fabsf(D->m13),
@@ -5847,11 +6141,11 @@ static inline void ksl_product_ddtzf_certified(const ksl_SE3f_t *D, const float 
   const float Do_23a_abs = fabsf(Do_23a), D_23_abs = fabsf(D->m23),
       Do_23_size = Do_23a_abs + D_23_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -5892,15 +6186,15 @@ static inline void ksl_product_ddtzf_certified(const ksl_SE3f_t *D, const float 
    6 mul, 3 add, 3 neg, 3 abs. */
 static inline void ksl_product_drvtzinvf_certified(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
   const float vo_0a_abs = fabsf(vo_0a), vo_0a_padded = vo_0a_abs + 1.9721523e-31f,
-      vo_0a_error_bound = 5.960465e-08f * vo_0a_padded;
+      vo_0a_error_bound = KSL_MULF(5.960465e-08f, vo_0a_padded);
   const float vo_1a_abs = fabsf(vo_1a), vo_1a_padded = vo_1a_abs + 1.9721523e-31f,
-      vo_1a_error_bound = 5.960465e-08f * vo_1a_padded;
+      vo_1a_error_bound = KSL_MULF(5.960465e-08f, vo_1a_padded);
   const float vo_2a_abs = fabsf(vo_2a), vo_2a_padded = vo_2a_abs + 1.9721523e-31f,
-      vo_2a_error_bound = 5.960465e-08f * vo_2a_padded;
+      vo_2a_error_bound = KSL_MULF(5.960465e-08f, vo_2a_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -5914,12 +6208,18 @@ static inline void ksl_product_drvtzinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_drdrzinvf_certified(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01b = KSL_MULF(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11b = KSL_MULF(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21b = KSL_MULF(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const float Ro_00a_abs = fabsf(Ro_00a), Ro_00b_abs = fabsf(Ro_00b),
       Ro_00_size = Ro_00a_abs + Ro_00b_abs;
   const float Ro_01a_abs = fabsf(Ro_01a), Ro_01b_abs = fabsf(Ro_01b),
@@ -5933,17 +6233,17 @@ static inline void ksl_product_drdrzinvf_certified(const ksl_mat3x3f_t *R, const
   const float Ro_21a_abs = fabsf(Ro_21a), Ro_21b_abs = fabsf(Ro_21b),
       Ro_21_size = Ro_21a_abs + Ro_21b_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 1.192093e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(1.192093e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 1.192093e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 1.192093e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 1.192093e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(1.192093e-07f, Ro_11_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 1.192093e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 1.192093e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -5972,12 +6272,18 @@ static inline void ksl_product_drdrzinvf_certified(const ksl_mat3x3f_t *R, const
    18 mul, 18 add, 12 abs. */
 static inline void ksl_product_ddrzinvf_certified(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01b = KSL_MULF(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11b = KSL_MULF(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21b = KSL_MULF(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const float Do_00a_abs = fabsf(Do_00a), Do_00b_abs = fabsf(Do_00b),
       Do_00_size = Do_00a_abs + Do_00b_abs;
   const float Do_01a_abs = fabsf(Do_01a), Do_01b_abs = fabsf(Do_01b),
@@ -5991,17 +6297,17 @@ static inline void ksl_product_ddrzinvf_certified(const ksl_SE3f_t *D, const flo
   const float Do_21a_abs = fabsf(Do_21a), Do_21b_abs = fabsf(Do_21b),
       Do_21_size = Do_21a_abs + Do_21b_abs;
   const float Do_00_padded = Do_00_size + 1.9721523e-31f,
-      Do_00_error_bound = 1.192093e-07f * Do_00_padded;
+      Do_00_error_bound = KSL_MULF(1.192093e-07f, Do_00_padded);
   const float Do_01_padded = Do_01_size + 1.9721523e-31f,
-      Do_01_error_bound = 1.192093e-07f * Do_01_padded;
+      Do_01_error_bound = KSL_MULF(1.192093e-07f, Do_01_padded);
   const float Do_10_padded = Do_10_size + 1.9721523e-31f,
-      Do_10_error_bound = 1.192093e-07f * Do_10_padded;
+      Do_10_error_bound = KSL_MULF(1.192093e-07f, Do_10_padded);
   const float Do_11_padded = Do_11_size + 1.9721523e-31f,
-      Do_11_error_bound = 1.192093e-07f * Do_11_padded;
+      Do_11_error_bound = KSL_MULF(1.192093e-07f, Do_11_padded);
   const float Do_20_padded = Do_20_size + 1.9721523e-31f,
-      Do_20_error_bound = 1.192093e-07f * Do_20_padded;
+      Do_20_error_bound = KSL_MULF(1.192093e-07f, Do_20_padded);
   const float Do_21_padded = Do_21_size + 1.9721523e-31f,
-      Do_21_error_bound = 1.192093e-07f * Do_21_padded;
+      Do_21_error_bound = KSL_MULF(1.192093e-07f, Do_21_padded);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -6039,9 +6345,9 @@ static inline void ksl_product_ddrzinvf_certified(const ksl_SE3f_t *D, const flo
    6 mul, 9 add, 6 abs. */
 static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do, ksl_SE3f_t *Do_bound) {
-  const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = D->m23 - Do_23a;
   const float D_03_abs = fabsf(D->m03), Do_03a_abs = fabsf(Do_03a),
       Do_03_size = D_03_abs + Do_03a_abs;
   const float D_13_abs = fabsf(D->m13), Do_13a_abs = fabsf(Do_13a),
@@ -6049,11 +6355,11 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
   const float D_23_abs = fabsf(D->m23), Do_23a_abs = fabsf(Do_23a),
       Do_23_size = D_23_abs + Do_23a_abs;
   const float Do_03_padded = Do_03_size + 1.9721523e-31f,
-      Do_03_error_bound = 1.192093e-07f * Do_03_padded;
+      Do_03_error_bound = KSL_MULF(1.192093e-07f, Do_03_padded);
   const float Do_13_padded = Do_13_size + 1.9721523e-31f,
-      Do_13_error_bound = 1.192093e-07f * Do_13_padded;
+      Do_13_error_bound = KSL_MULF(1.192093e-07f, Do_13_padded);
   const float Do_23_padded = Do_23_size + 1.9721523e-31f,
-      Do_23_error_bound = 1.192093e-07f * Do_23_padded;
+      Do_23_error_bound = KSL_MULF(1.192093e-07f, Do_23_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -6102,30 +6408,30 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
     ksl_screw_t *self_bound) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -6145,12 +6451,12 @@ static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->m1),
@@ -6164,17 +6470,17 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
   const double y_5_new_a_abs = fabs(y_5_new_a), y_5_abs = fabs(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = 2.2204460492503136e-16 * y_0_new_padded;
+      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
   const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = 2.2204460492503136e-16 * y_1_new_padded;
+      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
   const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = 2.2204460492503136e-16 * y_2_new_padded;
+      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
   const double y_3_new_padded = y_3_new_size + 2.004168360008973e-292,
-      y_3_new_error_bound = 2.2204460492503136e-16 * y_3_new_padded;
+      y_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_padded);
   const double y_4_new_padded = y_4_new_size + 2.004168360008973e-292,
-      y_4_new_error_bound = 2.2204460492503136e-16 * y_4_new_padded;
+      y_4_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_padded);
   const double y_5_new_padded = y_5_new_size + 2.004168360008973e-292,
-      y_5_new_error_bound = 2.2204460492503136e-16 * y_5_new_padded;
+      y_5_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -6201,17 +6507,17 @@ static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
   const double y_4_new = x->m4 + y->m4;
   const double y_5_new = x->m5 + y->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -6238,17 +6544,17 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
   const double y_4_new = y->m4 - x->m4;
   const double y_5_new = y->m5 - x->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -6268,24 +6574,24 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_as_certified(const double a, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   const double so_0_abs = fabs(so_0), so_0_padded = so_0_abs + 2.004168360008973e-292,
-      so_0_error_bound = 1.1102230246251568e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_padded);
   const double so_1_abs = fabs(so_1), so_1_padded = so_1_abs + 2.004168360008973e-292,
-      so_1_error_bound = 1.1102230246251568e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_padded);
   const double so_2_abs = fabs(so_2), so_2_padded = so_2_abs + 2.004168360008973e-292,
-      so_2_error_bound = 1.1102230246251568e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_padded);
   const double so_3_abs = fabs(so_3), so_3_padded = so_3_abs + 2.004168360008973e-292,
-      so_3_error_bound = 1.1102230246251568e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_padded);
   const double so_4_abs = fabs(so_4), so_4_padded = so_4_abs + 2.004168360008973e-292,
-      so_4_error_bound = 1.1102230246251568e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_padded);
   const double so_5_abs = fabs(so_5), so_5_padded = so_5_abs + 2.004168360008973e-292,
-      so_5_error_bound = 1.1102230246251568e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6311,12 +6617,12 @@ static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t
   const double so_3 = s1->m3 + s2->m3;
   const double so_4 = s1->m4 + s2->m4;
   const double so_5 = s1->m5 + s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
-  const double so_3_abs = fabs(so_3), so_3_error_bound = 1.1102230246251568e-16 * so_3_abs;
-  const double so_4_abs = fabs(so_4), so_4_error_bound = 1.1102230246251568e-16 * so_4_abs;
-  const double so_5_abs = fabs(so_5), so_5_error_bound = 1.1102230246251568e-16 * so_5_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
+  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
+  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
+  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6342,12 +6648,12 @@ static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_sc
   const double so_3 = s1->m3 - s2->m3;
   const double so_4 = s1->m4 - s2->m4;
   const double so_5 = s1->m5 - s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
-  const double so_3_abs = fabs(so_3), so_3_error_bound = 1.1102230246251568e-16 * so_3_abs;
-  const double so_4_abs = fabs(so_4), so_4_error_bound = 1.1102230246251568e-16 * so_4_abs;
-  const double so_5_abs = fabs(so_5), so_5_error_bound = 1.1102230246251568e-16 * so_5_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
+  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
+  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
+  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6370,9 +6676,9 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
   const double so_2 = s1->m2 + s2->m2;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -6395,11 +6701,11 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
@@ -6408,11 +6714,11 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -6435,11 +6741,11 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
@@ -6448,11 +6754,11 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -6475,11 +6781,11 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
@@ -6491,11 +6797,11 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6515,18 +6821,18 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -6540,17 +6846,17 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6570,18 +6876,18 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -6595,17 +6901,17 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6625,18 +6931,18 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -6650,17 +6956,17 @@ static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ks
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5e_size = so_5c_size + so_5d_abs;
   const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
   const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
   const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
   const double so_3e_padded = so_3e_size + 2.004168360008973e-292,
-      so_3e_error_bound = 3.3306690738754706e-16 * so_3e_padded;
+      so_3e_error_bound = KSL_MUL(3.3306690738754706e-16, so_3e_padded);
   const double so_4e_padded = so_4e_size + 2.004168360008973e-292,
-      so_4e_error_bound = 3.3306690738754706e-16 * so_4e_padded;
+      so_4e_error_bound = KSL_MUL(3.3306690738754706e-16, so_4e_padded);
   const double so_5e_padded = so_5e_size + 2.004168360008973e-292,
-      so_5e_error_bound = 3.3306690738754706e-16 * so_5e_padded;
+      so_5e_error_bound = KSL_MUL(3.3306690738754706e-16, so_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6680,23 +6986,23 @@ static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ks
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -6711,25 +7017,26 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * w_5_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5_padded);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * w_4_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
   const double w_3_padded = w_3_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * w_3_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * w_5_padded, so_1c_size = so_1a_size + so_1b_size,
+  const double so_1a_size = KSL_MUL(D_23_abs, w_3_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1_size;
-  const double so_2a_size = D_03_abs * w_4_padded, so_2b_size = D_13_abs * w_3_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, w_4_padded),
+      so_2b_size = KSL_MUL(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
-  const double w_3_error_bound = 3.3306690738754706e-16 * w_3_padded;
-  const double w_4_error_bound = 3.3306690738754706e-16 * w_4_padded;
-  const double w_5_error_bound = 3.3306690738754706e-16 * w_5_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
+  const double w_3_error_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded);
+  const double w_4_error_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded);
+  const double w_5_error_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6749,24 +7056,24 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const double so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const double so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       si_0_abs = fabs(si->m0), w_0_size = w_0c_size + si_0_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -6774,21 +7081,21 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
   const double w_2a_abs = fabs(w_2a), w_2b_abs = fabs(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
       si_2_abs = fabs(si->m2), w_2_size = w_2c_size + si_2_abs;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), so_0a_size = D_00_abs * w_0_padded;
+  const double D_00_abs = fabs(D->m00), so_0a_size = KSL_MUL(D_00_abs, w_0_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), so_0b_size = D_10_abs * w_1_padded,
+  const double D_10_abs = fabs(D->m10), so_0b_size = KSL_MUL(D_10_abs, w_1_padded),
       so_0c_size = so_0a_size + so_0b_size;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), so_0d_size = D_20_abs * w_2_padded,
+  const double D_20_abs = fabs(D->m20), so_0d_size = KSL_MUL(D_20_abs, w_2_padded),
       so_0_size = so_0c_size + so_0d_size;
-  const double D_01_abs = fabs(D->m01), so_1a_size = D_01_abs * w_0_padded, D_11_abs = fabs(D->m11),
-      so_1b_size = D_11_abs * w_1_padded, so_1c_size = so_1a_size + so_1b_size,
-      D_21_abs = fabs(D->m21), so_1d_size = D_21_abs * w_2_padded,
-      so_1_size = so_1c_size + so_1d_size;
-  const double D_02_abs = fabs(D->m02), so_2a_size = D_02_abs * w_0_padded, D_12_abs = fabs(D->m12),
-      so_2b_size = D_12_abs * w_1_padded, so_2c_size = so_2a_size + so_2b_size,
-      D_22_abs = fabs(D->m22), so_2d_size = D_22_abs * w_2_padded,
-      so_2_size = so_2c_size + so_2d_size;
+  const double D_01_abs = fabs(D->m01), so_1a_size = KSL_MUL(D_01_abs, w_0_padded),
+      D_11_abs = fabs(D->m11), so_1b_size = KSL_MUL(D_11_abs, w_1_padded),
+      so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabs(D->m21),
+      so_1d_size = KSL_MUL(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
+  const double D_02_abs = fabs(D->m02), so_2a_size = KSL_MUL(D_02_abs, w_0_padded),
+      D_12_abs = fabs(D->m12), so_2b_size = KSL_MUL(D_12_abs, w_1_padded),
+      so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabs(D->m22),
+      so_2d_size = KSL_MUL(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
   const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
       so_3d_abs = fabs(so_3d), so_3_size = so_3c_size + so_3d_abs;
   const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
@@ -6796,17 +7103,17 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6826,23 +7133,23 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0e_size = w_0c_size + w_0d_abs;
@@ -6857,25 +7164,26 @@ static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_sc
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const double w_5e_padded = w_5e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * w_5e_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5e_padded);
   const double w_4e_padded = w_4e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * w_4e_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4e_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
   const double w_3e_padded = w_3e_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * w_3e_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * w_5e_padded, so_1c_size = so_1a_size + so_1b_size,
+  const double so_1a_size = KSL_MUL(D_23_abs, w_3e_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1e_size;
-  const double so_2a_size = D_03_abs * w_4e_padded, so_2b_size = D_13_abs * w_3e_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2e_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, w_4e_padded),
+      so_2b_size = KSL_MUL(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2e_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
-  const double w_3e_error_bound = 3.3306690738754706e-16 * w_3e_padded;
-  const double w_4e_error_bound = 3.3306690738754706e-16 * w_4e_padded;
-  const double w_5e_error_bound = 3.3306690738754706e-16 * w_5e_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
+  const double w_3e_error_bound = KSL_MUL(3.3306690738754706e-16, w_3e_padded);
+  const double w_4e_error_bound = KSL_MUL(3.3306690738754706e-16, w_4e_padded);
+  const double w_5e_error_bound = KSL_MUL(3.3306690738754706e-16, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -6894,18 +7202,21 @@ static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_sc
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -6927,18 +7238,21 @@ static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -6960,18 +7274,21 @@ static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -6994,9 +7311,12 @@ static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -7004,11 +7324,11 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7028,9 +7348,12 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -7038,11 +7361,11 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7062,9 +7385,12 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -7072,11 +7398,11 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7095,15 +7421,24 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
    27 mul, 27 add, 18 abs. */
 static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat6x6_t *M_bound) {
-  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const double M_03a_abs = fabs(M_03a), M_03b_abs = fabs(M_03b), M_03_size = M_03a_abs + M_03b_abs;
   const double M_04a_abs = fabs(M_04a), M_04b_abs = fabs(M_04b), M_04_size = M_04a_abs + M_04b_abs;
   const double M_05a_abs = fabs(M_05a), M_05b_abs = fabs(M_05b), M_05_size = M_05a_abs + M_05b_abs;
@@ -7114,23 +7449,23 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
   const double M_24a_abs = fabs(M_24a), M_24b_abs = fabs(M_24b), M_24_size = M_24a_abs + M_24b_abs;
   const double M_25a_abs = fabs(M_25a), M_25b_abs = fabs(M_25b), M_25_size = M_25a_abs + M_25b_abs;
   const double M_03_padded = M_03_size + 2.004168360008973e-292,
-      M_03_error_bound = 2.2204460492503136e-16 * M_03_padded;
+      M_03_error_bound = KSL_MUL(2.2204460492503136e-16, M_03_padded);
   const double M_04_padded = M_04_size + 2.004168360008973e-292,
-      M_04_error_bound = 2.2204460492503136e-16 * M_04_padded;
+      M_04_error_bound = KSL_MUL(2.2204460492503136e-16, M_04_padded);
   const double M_05_padded = M_05_size + 2.004168360008973e-292,
-      M_05_error_bound = 2.2204460492503136e-16 * M_05_padded;
+      M_05_error_bound = KSL_MUL(2.2204460492503136e-16, M_05_padded);
   const double M_13_padded = M_13_size + 2.004168360008973e-292,
-      M_13_error_bound = 2.2204460492503136e-16 * M_13_padded;
+      M_13_error_bound = KSL_MUL(2.2204460492503136e-16, M_13_padded);
   const double M_14_padded = M_14_size + 2.004168360008973e-292,
-      M_14_error_bound = 2.2204460492503136e-16 * M_14_padded;
+      M_14_error_bound = KSL_MUL(2.2204460492503136e-16, M_14_padded);
   const double M_15_padded = M_15_size + 2.004168360008973e-292,
-      M_15_error_bound = 2.2204460492503136e-16 * M_15_padded;
+      M_15_error_bound = KSL_MUL(2.2204460492503136e-16, M_15_padded);
   const double M_23_padded = M_23_size + 2.004168360008973e-292,
-      M_23_error_bound = 2.2204460492503136e-16 * M_23_padded;
+      M_23_error_bound = KSL_MUL(2.2204460492503136e-16, M_23_padded);
   const double M_24_padded = M_24_size + 2.004168360008973e-292,
-      M_24_error_bound = 2.2204460492503136e-16 * M_24_padded;
+      M_24_error_bound = KSL_MUL(2.2204460492503136e-16, M_24_padded);
   const double M_25_padded = M_25_size + 2.004168360008973e-292,
-      M_25_error_bound = 2.2204460492503136e-16 * M_25_padded;
+      M_25_error_bound = KSL_MUL(2.2204460492503136e-16, M_25_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -7219,10 +7554,10 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
    7 mul, 11 add, 6 abs. */
 static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_screw_t *s,
     double *power_bound) {
-  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
   const double power_a_abs = fabs(power_a), power_b_abs = fabs(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabs(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabs(power_f),
@@ -7230,7 +7565,7 @@ static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_scre
       power_i_abs = fabs(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const double power_padded = power_size + 2.004168360008973e-292,
-      power_error_bound = 4.440892098500628e-16 * power_padded;
+      power_error_bound = KSL_MUL(4.440892098500628e-16, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -7241,15 +7576,21 @@ static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_scre
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_abs = fabs(so_0e), so_0f_size = so_0d_abs + so_0e_abs,
       so_0_size = so_0c_size + so_0f_size;
@@ -7263,17 +7604,17 @@ static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw
   const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4_size = so_4a_abs + so_4b_abs;
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5_size = so_5a_abs + so_5b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 2.2204460492503136e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(2.2204460492503136e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 2.2204460492503136e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(2.2204460492503136e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 2.2204460492503136e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(2.2204460492503136e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7293,18 +7634,21 @@ static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7325,15 +7669,15 @@ static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_scre
    27 mul, 24 add, 12 abs. */
 static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const double so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const double so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
       a_0d_abs = fabs(a_0d), a_0_size = a_0c_size + a_0d_abs;
   const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
@@ -7341,24 +7685,24 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * a_2_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, a_2_padded);
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * a_1_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, a_1_padded),
       so_0_size = so_0a_size + so_0b_size;
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * a_0_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * a_2_padded, so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = D_03_abs * a_1_padded, so_2b_size = D_13_abs * a_0_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const double so_1a_size = KSL_MUL(D_23_abs, a_0_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, a_1_padded),
+      so_2b_size = KSL_MUL(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
-  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
-  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
-  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
+  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
+  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
+  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7379,12 +7723,12 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    12 mul, 15 add, 9 abs. */
 static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -7392,11 +7736,11 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       so_2d_abs = fabs(so_2d), so_2_size = so_2c_size + so_2d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7416,30 +7760,30 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
     ksl_screwf_t *self_bound) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -7459,12 +7803,12 @@ static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->m1),
@@ -7478,17 +7822,17 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
   const float y_5_new_a_abs = fabsf(y_5_new_a), y_5_abs = fabsf(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = 1.192093e-07f * y_0_new_padded;
+      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
   const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = 1.192093e-07f * y_1_new_padded;
+      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
   const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = 1.192093e-07f * y_2_new_padded;
+      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
   const float y_3_new_padded = y_3_new_size + 1.9721523e-31f,
-      y_3_new_error_bound = 1.192093e-07f * y_3_new_padded;
+      y_3_new_error_bound = KSL_MULF(1.192093e-07f, y_3_new_padded);
   const float y_4_new_padded = y_4_new_size + 1.9721523e-31f,
-      y_4_new_error_bound = 1.192093e-07f * y_4_new_padded;
+      y_4_new_error_bound = KSL_MULF(1.192093e-07f, y_4_new_padded);
   const float y_5_new_padded = y_5_new_size + 1.9721523e-31f,
-      y_5_new_error_bound = 1.192093e-07f * y_5_new_padded;
+      y_5_new_error_bound = KSL_MULF(1.192093e-07f, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -7514,12 +7858,18 @@ static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
   const float y_3_new = x->m3 + y->m3;
   const float y_4_new = x->m4 + y->m4;
   const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -7545,12 +7895,18 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
   const float y_3_new = y->m3 - x->m3;
   const float y_4_new = y->m4 - x->m4;
   const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -7570,24 +7926,24 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   const float so_0_abs = fabsf(so_0), so_0_padded = so_0_abs + 1.9721523e-31f,
-      so_0_error_bound = 5.960465e-08f * so_0_padded;
+      so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_padded);
   const float so_1_abs = fabsf(so_1), so_1_padded = so_1_abs + 1.9721523e-31f,
-      so_1_error_bound = 5.960465e-08f * so_1_padded;
+      so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_padded);
   const float so_2_abs = fabsf(so_2), so_2_padded = so_2_abs + 1.9721523e-31f,
-      so_2_error_bound = 5.960465e-08f * so_2_padded;
+      so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_padded);
   const float so_3_abs = fabsf(so_3), so_3_padded = so_3_abs + 1.9721523e-31f,
-      so_3_error_bound = 5.960465e-08f * so_3_padded;
+      so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_padded);
   const float so_4_abs = fabsf(so_4), so_4_padded = so_4_abs + 1.9721523e-31f,
-      so_4_error_bound = 5.960465e-08f * so_4_padded;
+      so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_padded);
   const float so_5_abs = fabsf(so_5), so_5_padded = so_5_abs + 1.9721523e-31f,
-      so_5_error_bound = 5.960465e-08f * so_5_padded;
+      so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7613,12 +7969,12 @@ static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screw
   const float so_3 = s1->m3 + s2->m3;
   const float so_4 = s1->m4 + s2->m4;
   const float so_5 = s1->m5 + s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = 5.960465e-08f * so_3_abs;
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = 5.960465e-08f * so_4_abs;
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = 5.960465e-08f * so_5_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
+  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
+  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
+  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7644,12 +8000,12 @@ static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_
   const float so_3 = s1->m3 - s2->m3;
   const float so_4 = s1->m4 - s2->m4;
   const float so_5 = s1->m5 - s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = 5.960465e-08f * so_3_abs;
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = 5.960465e-08f * so_4_abs;
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = 5.960465e-08f * so_5_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
+  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
+  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
+  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7672,9 +8028,9 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
   const float so_2 = s1->m2 + s2->m2;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -7697,11 +8053,11 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
@@ -7713,11 +8069,11 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -7740,11 +8096,11 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
@@ -7756,11 +8112,11 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -7783,11 +8139,11 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
@@ -7802,11 +8158,11 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7826,18 +8182,18 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -7857,17 +8213,17 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7887,18 +8243,18 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -7918,17 +8274,17 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -7948,18 +8304,18 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0e_size = so_0c_size + so_0d_abs;
@@ -7979,17 +8335,17 @@ static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const 
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5e_size = so_5c_size + so_5d_abs;
   const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
   const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
   const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
   const float so_3e_padded = so_3e_size + 1.9721523e-31f,
-      so_3e_error_bound = 1.7881396e-07f * so_3e_padded;
+      so_3e_error_bound = KSL_MULF(1.7881396e-07f, so_3e_padded);
   const float so_4e_padded = so_4e_size + 1.9721523e-31f,
-      so_4e_error_bound = 1.7881396e-07f * so_4e_padded;
+      so_4e_error_bound = KSL_MULF(1.7881396e-07f, so_4e_padded);
   const float so_5e_padded = so_5e_size + 1.9721523e-31f,
-      so_5e_error_bound = 1.7881396e-07f * so_5e_padded;
+      so_5e_error_bound = KSL_MULF(1.7881396e-07f, so_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8009,21 +8365,24 @@ static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const 
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -8037,25 +8396,26 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_5_padded = w_5_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * w_5_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5_padded);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * w_4_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
   const float w_3_padded = w_3_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * w_3_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * w_5_padded, so_1c_size = so_1a_size + so_1b_size,
+  const float so_1a_size = KSL_MULF(D_23_abs, w_3_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1_size;
-  const float so_2a_size = D_03_abs * w_4_padded, so_2b_size = D_13_abs * w_3_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, w_4_padded),
+      so_2b_size = KSL_MULF(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
-  const float w_3_error_bound = 1.7881396e-07f * w_3_padded;
-  const float w_4_error_bound = 1.7881396e-07f * w_4_padded;
-  const float w_5_error_bound = 1.7881396e-07f * w_5_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
+  const float w_3_error_bound = KSL_MULF(1.7881396e-07f, w_3_padded);
+  const float w_4_error_bound = KSL_MULF(1.7881396e-07f, w_4_padded);
+  const float w_5_error_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8075,24 +8435,24 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const float so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const float so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const float so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       si_0_abs = fabsf(si->m0), w_0_size = w_0c_size + si_0_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -8100,21 +8460,21 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
       si_2_abs = fabsf(si->m2), w_2_size = w_2c_size + si_2_abs;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), so_0a_size = D_00_abs * w_0_padded;
+  const float D_00_abs = fabsf(D->m00), so_0a_size = KSL_MULF(D_00_abs, w_0_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), so_0b_size = D_10_abs * w_1_padded,
+  const float D_10_abs = fabsf(D->m10), so_0b_size = KSL_MULF(D_10_abs, w_1_padded),
       so_0c_size = so_0a_size + so_0b_size;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), so_0d_size = D_20_abs * w_2_padded,
+  const float D_20_abs = fabsf(D->m20), so_0d_size = KSL_MULF(D_20_abs, w_2_padded),
       so_0_size = so_0c_size + so_0d_size;
-  const float D_01_abs = fabsf(D->m01), so_1a_size = D_01_abs * w_0_padded,
-      D_11_abs = fabsf(D->m11), so_1b_size = D_11_abs * w_1_padded,
+  const float D_01_abs = fabsf(D->m01), so_1a_size = KSL_MULF(D_01_abs, w_0_padded),
+      D_11_abs = fabsf(D->m11), so_1b_size = KSL_MULF(D_11_abs, w_1_padded),
       so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabsf(D->m21),
-      so_1d_size = D_21_abs * w_2_padded, so_1_size = so_1c_size + so_1d_size;
-  const float D_02_abs = fabsf(D->m02), so_2a_size = D_02_abs * w_0_padded,
-      D_12_abs = fabsf(D->m12), so_2b_size = D_12_abs * w_1_padded,
+      so_1d_size = KSL_MULF(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
+  const float D_02_abs = fabsf(D->m02), so_2a_size = KSL_MULF(D_02_abs, w_0_padded),
+      D_12_abs = fabsf(D->m12), so_2b_size = KSL_MULF(D_12_abs, w_1_padded),
       so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabsf(D->m22),
-      so_2d_size = D_22_abs * w_2_padded, so_2_size = so_2c_size + so_2d_size;
+      so_2d_size = KSL_MULF(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
   const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
       so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
       so_3_size = so_3c_size + so_3d_abs;
@@ -8125,17 +8485,17 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8155,21 +8515,24 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0e_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -8183,25 +8546,26 @@ static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const float w_5e_padded = w_5e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * w_5e_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5e_padded);
   const float w_4e_padded = w_4e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * w_4e_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4e_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
   const float w_3e_padded = w_3e_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * w_3e_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * w_5e_padded, so_1c_size = so_1a_size + so_1b_size,
+  const float so_1a_size = KSL_MULF(D_23_abs, w_3e_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1e_size;
-  const float so_2a_size = D_03_abs * w_4e_padded, so_2b_size = D_13_abs * w_3e_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2e_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, w_4e_padded),
+      so_2b_size = KSL_MULF(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2e_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
-  const float w_3e_error_bound = 1.7881396e-07f * w_3e_padded;
-  const float w_4e_error_bound = 1.7881396e-07f * w_4e_padded;
-  const float w_5e_error_bound = 1.7881396e-07f * w_5e_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
+  const float w_3e_error_bound = KSL_MULF(1.7881396e-07f, w_3e_padded);
+  const float w_4e_error_bound = KSL_MULF(1.7881396e-07f, w_4e_padded);
+  const float w_5e_error_bound = KSL_MULF(1.7881396e-07f, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8221,18 +8585,21 @@ static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0b = KSL_MULF(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1b = KSL_MULF(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -8255,18 +8622,21 @@ static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0b = KSL_MULF(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1b = KSL_MULF(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -8289,18 +8659,21 @@ static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0b = KSL_MULF(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1b = KSL_MULF(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -8323,9 +8696,12 @@ static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0b = KSL_MULF(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1b = KSL_MULF(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -8333,11 +8709,11 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8357,9 +8733,12 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0b = KSL_MULF(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1b = KSL_MULF(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -8367,11 +8746,11 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8391,9 +8770,12 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0b = KSL_MULF(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1b = KSL_MULF(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -8401,11 +8783,11 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8425,15 +8807,24 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    27 mul, 27 add, 18 abs. */
 static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
     ksl_mat6x6f_t *M_bound) {
-  const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const float M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const float M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const float M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const float M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const float M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const float M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const float M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03b = KSL_MULF(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04b = KSL_MULF(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05b = KSL_MULF(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13b = KSL_MULF(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14b = KSL_MULF(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15b = KSL_MULF(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23b = KSL_MULF(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24b = KSL_MULF(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const float M_03a_abs = fabsf(M_03a), M_03b_abs = fabsf(M_03b), M_03_size = M_03a_abs + M_03b_abs;
   const float M_04a_abs = fabsf(M_04a), M_04b_abs = fabsf(M_04b), M_04_size = M_04a_abs + M_04b_abs;
   const float M_05a_abs = fabsf(M_05a), M_05b_abs = fabsf(M_05b), M_05_size = M_05a_abs + M_05b_abs;
@@ -8444,23 +8835,23 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
   const float M_24a_abs = fabsf(M_24a), M_24b_abs = fabsf(M_24b), M_24_size = M_24a_abs + M_24b_abs;
   const float M_25a_abs = fabsf(M_25a), M_25b_abs = fabsf(M_25b), M_25_size = M_25a_abs + M_25b_abs;
   const float M_03_padded = M_03_size + 1.9721523e-31f,
-      M_03_error_bound = 1.192093e-07f * M_03_padded;
+      M_03_error_bound = KSL_MULF(1.192093e-07f, M_03_padded);
   const float M_04_padded = M_04_size + 1.9721523e-31f,
-      M_04_error_bound = 1.192093e-07f * M_04_padded;
+      M_04_error_bound = KSL_MULF(1.192093e-07f, M_04_padded);
   const float M_05_padded = M_05_size + 1.9721523e-31f,
-      M_05_error_bound = 1.192093e-07f * M_05_padded;
+      M_05_error_bound = KSL_MULF(1.192093e-07f, M_05_padded);
   const float M_13_padded = M_13_size + 1.9721523e-31f,
-      M_13_error_bound = 1.192093e-07f * M_13_padded;
+      M_13_error_bound = KSL_MULF(1.192093e-07f, M_13_padded);
   const float M_14_padded = M_14_size + 1.9721523e-31f,
-      M_14_error_bound = 1.192093e-07f * M_14_padded;
+      M_14_error_bound = KSL_MULF(1.192093e-07f, M_14_padded);
   const float M_15_padded = M_15_size + 1.9721523e-31f,
-      M_15_error_bound = 1.192093e-07f * M_15_padded;
+      M_15_error_bound = KSL_MULF(1.192093e-07f, M_15_padded);
   const float M_23_padded = M_23_size + 1.9721523e-31f,
-      M_23_error_bound = 1.192093e-07f * M_23_padded;
+      M_23_error_bound = KSL_MULF(1.192093e-07f, M_23_padded);
   const float M_24_padded = M_24_size + 1.9721523e-31f,
-      M_24_error_bound = 1.192093e-07f * M_24_padded;
+      M_24_error_bound = KSL_MULF(1.192093e-07f, M_24_padded);
   const float M_25_padded = M_25_size + 1.9721523e-31f,
-      M_25_error_bound = 1.192093e-07f * M_25_padded;
+      M_25_error_bound = KSL_MULF(1.192093e-07f, M_25_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -8549,10 +8940,11 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
    7 mul, 11 add, 6 abs. */
 static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_screwf_t *s,
     float *power_bound) {
-  const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
+      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
+      power = power_e + power_j;
   const float power_a_abs = fabsf(power_a), power_b_abs = fabsf(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabsf(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabsf(power_f),
@@ -8560,7 +8952,7 @@ static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_scr
       power_i_abs = fabsf(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const float power_padded = power_size + 1.9721523e-31f,
-      power_error_bound = 2.3841864e-07f * power_padded;
+      power_error_bound = KSL_MULF(2.3841864e-07f, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -8571,15 +8963,21 @@ static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_scr
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const float so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const float so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d), so_0e_abs = fabsf(so_0e),
       so_0f_size = so_0d_abs + so_0e_abs, so_0_size = so_0c_size + so_0f_size;
@@ -8593,17 +8991,17 @@ static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_scr
   const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b), so_4_size = so_4a_abs + so_4b_abs;
   const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b), so_5_size = so_5a_abs + so_5b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.192093e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.192093e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.192093e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.192093e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.192093e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.192093e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8623,18 +9021,21 @@ static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_scr
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const float so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8655,15 +9056,15 @@ static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_sc
    27 mul, 24 add, 12 abs. */
 static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const float so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const float so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
       a_0d_abs = fabsf(a_0d), a_0_size = a_0c_size + a_0d_abs;
   const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
@@ -8671,24 +9072,24 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * a_2_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, a_2_padded);
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * a_1_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, a_1_padded),
       so_0_size = so_0a_size + so_0b_size;
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * a_0_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * a_2_padded, so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = D_03_abs * a_1_padded, so_2b_size = D_13_abs * a_0_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const float so_1a_size = KSL_MULF(D_23_abs, a_0_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, a_1_padded),
+      so_2b_size = KSL_MULF(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 2.9802328e-07f * so_2_padded;
-  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
-  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
-  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
+  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
+  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
+  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8709,12 +9110,12 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    12 mul, 15 add, 9 abs. */
 static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -8725,11 +9126,11 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
       so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
       so_2_size = so_2c_size + so_2d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8757,30 +9158,30 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrew_scale_certified(ksl_coscrew_t *self, const double a,
     ksl_coscrew_t *self_bound) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8800,12 +9201,12 @@ static inline void ksl_coscrew_scale_certified(ksl_coscrew_t *self, const double
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y,
     ksl_coscrew_t *y_bound) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->m1),
@@ -8819,17 +9220,17 @@ static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x,
   const double y_5_new_a_abs = fabs(y_5_new_a), y_5_abs = fabs(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = 2.2204460492503136e-16 * y_0_new_padded;
+      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
   const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = 2.2204460492503136e-16 * y_1_new_padded;
+      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
   const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = 2.2204460492503136e-16 * y_2_new_padded;
+      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
   const double y_3_new_padded = y_3_new_size + 2.004168360008973e-292,
-      y_3_new_error_bound = 2.2204460492503136e-16 * y_3_new_padded;
+      y_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_padded);
   const double y_4_new_padded = y_4_new_size + 2.004168360008973e-292,
-      y_4_new_error_bound = 2.2204460492503136e-16 * y_4_new_padded;
+      y_4_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_padded);
   const double y_5_new_padded = y_5_new_size + 2.004168360008973e-292,
-      y_5_new_error_bound = 2.2204460492503136e-16 * y_5_new_padded;
+      y_5_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -8856,17 +9257,17 @@ static inline void ksl_xpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *y
   const double y_4_new = x->m4 + y->m4;
   const double y_5_new = x->m5 + y->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -8893,17 +9294,17 @@ static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *
   const double y_4_new = y->m4 - x->m4;
   const double y_5_new = y->m5 - x->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -8923,24 +9324,24 @@ static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_ac_certified(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   const double co_0_abs = fabs(co_0), co_0_padded = co_0_abs + 2.004168360008973e-292,
-      co_0_error_bound = 1.1102230246251568e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_padded);
   const double co_1_abs = fabs(co_1), co_1_padded = co_1_abs + 2.004168360008973e-292,
-      co_1_error_bound = 1.1102230246251568e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_padded);
   const double co_2_abs = fabs(co_2), co_2_padded = co_2_abs + 2.004168360008973e-292,
-      co_2_error_bound = 1.1102230246251568e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_padded);
   const double co_3_abs = fabs(co_3), co_3_padded = co_3_abs + 2.004168360008973e-292,
-      co_3_error_bound = 1.1102230246251568e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_padded);
   const double co_4_abs = fabs(co_4), co_4_padded = co_4_abs + 2.004168360008973e-292,
-      co_4_error_bound = 1.1102230246251568e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_padded);
   const double co_5_abs = fabs(co_5), co_5_padded = co_5_abs + 2.004168360008973e-292,
-      co_5_error_bound = 1.1102230246251568e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8966,12 +9367,12 @@ static inline void ksl_add_cc_certified(const ksl_coscrew_t *c1, const ksl_coscr
   const double co_3 = c1->m3 + c2->m3;
   const double co_4 = c1->m4 + c2->m4;
   const double co_5 = c1->m5 + c2->m5;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
-  const double co_3_abs = fabs(co_3), co_3_error_bound = 1.1102230246251568e-16 * co_3_abs;
-  const double co_4_abs = fabs(co_4), co_4_error_bound = 1.1102230246251568e-16 * co_4_abs;
-  const double co_5_abs = fabs(co_5), co_5_error_bound = 1.1102230246251568e-16 * co_5_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
+  const double co_3_abs = fabs(co_3), co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_abs);
+  const double co_4_abs = fabs(co_4), co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_abs);
+  const double co_5_abs = fabs(co_5), co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -8997,12 +9398,12 @@ static inline void ksl_subtract_cc_certified(const ksl_coscrew_t *c1, const ksl_
   const double co_3 = c1->m3 - c2->m3;
   const double co_4 = c1->m4 - c2->m4;
   const double co_5 = c1->m5 - c2->m5;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
-  const double co_3_abs = fabs(co_3), co_3_error_bound = 1.1102230246251568e-16 * co_3_abs;
-  const double co_4_abs = fabs(co_4), co_4_error_bound = 1.1102230246251568e-16 * co_4_abs;
-  const double co_5_abs = fabs(co_5), co_5_error_bound = 1.1102230246251568e-16 * co_5_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
+  const double co_3_abs = fabs(co_3), co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_abs);
+  const double co_4_abs = fabs(co_4), co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_abs);
+  const double co_5_abs = fabs(co_5), co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9025,9 +9426,9 @@ static inline void ksl_add_cct_certified(const ksl_coscrew_t *c1, const ksl_cosc
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
   const double co_2 = c1->m2 + c2->m2;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -9050,11 +9451,11 @@ static inline void ksl_add_cct_certified(const ksl_coscrew_t *c1, const ksl_cosc
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -9063,11 +9464,11 @@ static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_c
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -9090,11 +9491,11 @@ static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_c
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -9103,11 +9504,11 @@ static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ks
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -9133,11 +9534,11 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -9146,11 +9547,11 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9170,18 +9571,18 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -9195,17 +9596,17 @@ static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5_size = co_5c_size + co_5d_abs;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9225,18 +9626,18 @@ static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -9250,17 +9651,17 @@ static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const 
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5_size = co_5c_size + co_5d_abs;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9280,18 +9681,18 @@ static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const 
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0e_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -9305,17 +9706,17 @@ static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const 
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5e_size = co_5c_size + co_5d_abs;
   const double co_0e_padded = co_0e_size + 2.004168360008973e-292,
-      co_0e_error_bound = 3.3306690738754706e-16 * co_0e_padded;
+      co_0e_error_bound = KSL_MUL(3.3306690738754706e-16, co_0e_padded);
   const double co_1e_padded = co_1e_size + 2.004168360008973e-292,
-      co_1e_error_bound = 3.3306690738754706e-16 * co_1e_padded;
+      co_1e_error_bound = KSL_MUL(3.3306690738754706e-16, co_1e_padded);
   const double co_2e_padded = co_2e_size + 2.004168360008973e-292,
-      co_2e_error_bound = 3.3306690738754706e-16 * co_2e_padded;
+      co_2e_error_bound = KSL_MUL(3.3306690738754706e-16, co_2e_padded);
   const double co_3e_padded = co_3e_size + 2.004168360008973e-292,
-      co_3e_error_bound = 3.3306690738754706e-16 * co_3e_padded;
+      co_3e_error_bound = KSL_MUL(3.3306690738754706e-16, co_3e_padded);
   const double co_4e_padded = co_4e_size + 2.004168360008973e-292,
-      co_4e_error_bound = 3.3306690738754706e-16 * co_4e_padded;
+      co_4e_error_bound = KSL_MUL(3.3306690738754706e-16, co_4e_padded);
   const double co_5e_padded = co_5e_size + 2.004168360008973e-292,
-      co_5e_error_bound = 3.3306690738754706e-16 * co_5e_padded;
+      co_5e_error_bound = KSL_MUL(3.3306690738754706e-16, co_5e_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9335,23 +9736,23 @@ static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const 
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -9366,25 +9767,26 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9404,24 +9806,24 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const double co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const double co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
   const double w_3a_abs = fabs(w_3a), w_3b_abs = fabs(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
       ci_3_abs = fabs(ci->m3), w_3_size = w_3c_size + ci_3_abs;
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
@@ -9435,33 +9837,33 @@ static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_
   const double co_2a_abs = fabs(co_2a), co_2b_abs = fabs(co_2b), co_2c_size = co_2a_abs + co_2b_abs,
       co_2d_abs = fabs(co_2d), co_2_size = co_2c_size + co_2d_abs;
   const double w_3_padded = w_3_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), co_3a_size = D_00_abs * w_3_padded;
+  const double D_00_abs = fabs(D->m00), co_3a_size = KSL_MUL(D_00_abs, w_3_padded);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), co_3b_size = D_10_abs * w_4_padded,
+  const double D_10_abs = fabs(D->m10), co_3b_size = KSL_MUL(D_10_abs, w_4_padded),
       co_3c_size = co_3a_size + co_3b_size;
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), co_3d_size = D_20_abs * w_5_padded,
+  const double D_20_abs = fabs(D->m20), co_3d_size = KSL_MUL(D_20_abs, w_5_padded),
       co_3_size = co_3c_size + co_3d_size;
-  const double D_01_abs = fabs(D->m01), co_4a_size = D_01_abs * w_3_padded, D_11_abs = fabs(D->m11),
-      co_4b_size = D_11_abs * w_4_padded, co_4c_size = co_4a_size + co_4b_size,
-      D_21_abs = fabs(D->m21), co_4d_size = D_21_abs * w_5_padded,
-      co_4_size = co_4c_size + co_4d_size;
-  const double D_02_abs = fabs(D->m02), co_5a_size = D_02_abs * w_3_padded, D_12_abs = fabs(D->m12),
-      co_5b_size = D_12_abs * w_4_padded, co_5c_size = co_5a_size + co_5b_size,
-      D_22_abs = fabs(D->m22), co_5d_size = D_22_abs * w_5_padded,
-      co_5_size = co_5c_size + co_5d_size;
+  const double D_01_abs = fabs(D->m01), co_4a_size = KSL_MUL(D_01_abs, w_3_padded),
+      D_11_abs = fabs(D->m11), co_4b_size = KSL_MUL(D_11_abs, w_4_padded),
+      co_4c_size = co_4a_size + co_4b_size, D_21_abs = fabs(D->m21),
+      co_4d_size = KSL_MUL(D_21_abs, w_5_padded), co_4_size = co_4c_size + co_4d_size;
+  const double D_02_abs = fabs(D->m02), co_5a_size = KSL_MUL(D_02_abs, w_3_padded),
+      D_12_abs = fabs(D->m12), co_5b_size = KSL_MUL(D_12_abs, w_4_padded),
+      co_5c_size = co_5a_size + co_5b_size, D_22_abs = fabs(D->m22),
+      co_5d_size = KSL_MUL(D_22_abs, w_5_padded), co_5_size = co_5c_size + co_5d_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9481,23 +9883,23 @@ static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0e_size = w_0c_size + w_0d_abs;
@@ -9512,25 +9914,26 @@ static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const double w_2e_padded = w_2e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2e_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2e_padded);
   const double w_1e_padded = w_1e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1e_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1e_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3e_size;
   const double w_0e_padded = w_0e_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0e_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2e_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0e_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2e_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4e_size;
-  const double co_5a_size = D_03_abs * w_1e_padded, co_5b_size = D_13_abs * w_0e_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5e_size;
-  const double w_0e_error_bound = 3.3306690738754706e-16 * w_0e_padded;
-  const double w_1e_error_bound = 3.3306690738754706e-16 * w_1e_padded;
-  const double w_2e_error_bound = 3.3306690738754706e-16 * w_2e_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1e_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0e_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5e_size;
+  const double w_0e_error_bound = KSL_MUL(3.3306690738754706e-16, w_0e_padded);
+  const double w_1e_error_bound = KSL_MUL(3.3306690738754706e-16, w_1e_padded);
+  const double w_2e_error_bound = KSL_MUL(3.3306690738754706e-16, w_2e_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -9550,18 +9953,21 @@ static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctx_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -9584,18 +9990,21 @@ static inline void ksl_hctx_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hcty_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -9618,18 +10027,21 @@ static inline void ksl_hcty_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctz_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -9655,18 +10067,21 @@ static inline void ksl_hctxinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9689,18 +10104,21 @@ static inline void ksl_hctyinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9723,18 +10141,21 @@ static inline void ksl_hctzinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9753,15 +10174,24 @@ static inline void ksl_hctzinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
    27 mul, 27 add, 18 abs. */
 static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat6x6_t *M_bound) {
-  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const double M_30a_abs = fabs(M_30a), M_30b_abs = fabs(M_30b), M_30_size = M_30a_abs + M_30b_abs;
   const double M_31a_abs = fabs(M_31a), M_31b_abs = fabs(M_31b), M_31_size = M_31a_abs + M_31b_abs;
   const double M_32a_abs = fabs(M_32a), M_32b_abs = fabs(M_32b), M_32_size = M_32a_abs + M_32b_abs;
@@ -9772,23 +10202,23 @@ static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_m
   const double M_51a_abs = fabs(M_51a), M_51b_abs = fabs(M_51b), M_51_size = M_51a_abs + M_51b_abs;
   const double M_52a_abs = fabs(M_52a), M_52b_abs = fabs(M_52b), M_52_size = M_52a_abs + M_52b_abs;
   const double M_30_padded = M_30_size + 2.004168360008973e-292,
-      M_30_error_bound = 2.2204460492503136e-16 * M_30_padded;
+      M_30_error_bound = KSL_MUL(2.2204460492503136e-16, M_30_padded);
   const double M_31_padded = M_31_size + 2.004168360008973e-292,
-      M_31_error_bound = 2.2204460492503136e-16 * M_31_padded;
+      M_31_error_bound = KSL_MUL(2.2204460492503136e-16, M_31_padded);
   const double M_32_padded = M_32_size + 2.004168360008973e-292,
-      M_32_error_bound = 2.2204460492503136e-16 * M_32_padded;
+      M_32_error_bound = KSL_MUL(2.2204460492503136e-16, M_32_padded);
   const double M_40_padded = M_40_size + 2.004168360008973e-292,
-      M_40_error_bound = 2.2204460492503136e-16 * M_40_padded;
+      M_40_error_bound = KSL_MUL(2.2204460492503136e-16, M_40_padded);
   const double M_41_padded = M_41_size + 2.004168360008973e-292,
-      M_41_error_bound = 2.2204460492503136e-16 * M_41_padded;
+      M_41_error_bound = KSL_MUL(2.2204460492503136e-16, M_41_padded);
   const double M_42_padded = M_42_size + 2.004168360008973e-292,
-      M_42_error_bound = 2.2204460492503136e-16 * M_42_padded;
+      M_42_error_bound = KSL_MUL(2.2204460492503136e-16, M_42_padded);
   const double M_50_padded = M_50_size + 2.004168360008973e-292,
-      M_50_error_bound = 2.2204460492503136e-16 * M_50_padded;
+      M_50_error_bound = KSL_MUL(2.2204460492503136e-16, M_50_padded);
   const double M_51_padded = M_51_size + 2.004168360008973e-292,
-      M_51_error_bound = 2.2204460492503136e-16 * M_51_padded;
+      M_51_error_bound = KSL_MUL(2.2204460492503136e-16, M_51_padded);
   const double M_52_padded = M_52_size + 2.004168360008973e-292,
-      M_52_error_bound = 2.2204460492503136e-16 * M_52_padded;
+      M_52_error_bound = KSL_MUL(2.2204460492503136e-16, M_52_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -9879,10 +10309,10 @@ static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_m
    7 mul, 11 add, 6 abs. */
 static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, const double x[6],
     double *power_bound) {
-  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   const double power_a_abs = fabs(power_a), power_b_abs = fabs(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabs(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabs(power_f),
@@ -9890,7 +10320,7 @@ static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, co
       power_i_abs = fabs(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const double power_padded = power_size + 2.004168360008973e-292,
-      power_error_bound = 4.440892098500628e-16 * power_padded;
+      power_error_bound = KSL_MUL(4.440892098500628e-16, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -9900,15 +10330,18 @@ static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, co
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0_size = co_0a_abs + co_0b_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1_size = co_1a_abs + co_1b_abs;
   const double co_2a_abs = fabs(co_2a), co_2b_abs = fabs(co_2b), co_2_size = co_2a_abs + co_2b_abs;
@@ -9922,17 +10355,17 @@ static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscre
       co_5d_abs = fabs(co_5d), co_5e_abs = fabs(co_5e), co_5f_size = co_5d_abs + co_5e_abs,
       co_5_size = co_5c_size + co_5f_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 2.2204460492503136e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(2.2204460492503136e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 2.2204460492503136e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(2.2204460492503136e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 2.2204460492503136e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(2.2204460492503136e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -9952,18 +10385,18 @@ static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscre
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sca_certified(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -9984,20 +10417,20 @@ static inline void ksl_cross_sca_certified(const ksl_screw_t *s, const ksl_coscr
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -10009,25 +10442,26 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10048,20 +10482,20 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -10073,25 +10507,26 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10112,20 +10547,20 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -10137,25 +10572,26 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10176,20 +10612,20 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -10201,25 +10637,26 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10240,20 +10677,20 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -10265,25 +10702,26 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10304,20 +10742,20 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -10329,25 +10767,26 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10368,31 +10807,31 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10413,31 +10852,31 @@ static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10458,31 +10897,31 @@ static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -10503,15 +10942,15 @@ static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -10532,15 +10971,15 @@ static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -10561,15 +11000,15 @@ static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -10589,30 +11028,30 @@ static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscr
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrewf_scale_certified(ksl_coscrewf_t *self, const float a,
     ksl_coscrewf_t *self_bound) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -10632,12 +11071,12 @@ static inline void ksl_coscrewf_scale_certified(ksl_coscrewf_t *self, const floa
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y, ksl_coscrewf_t *y_bound) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->m1),
@@ -10651,17 +11090,17 @@ static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x
   const float y_5_new_a_abs = fabsf(y_5_new_a), y_5_abs = fabsf(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = 1.192093e-07f * y_0_new_padded;
+      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
   const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = 1.192093e-07f * y_1_new_padded;
+      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
   const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = 1.192093e-07f * y_2_new_padded;
+      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
   const float y_3_new_padded = y_3_new_size + 1.9721523e-31f,
-      y_3_new_error_bound = 1.192093e-07f * y_3_new_padded;
+      y_3_new_error_bound = KSL_MULF(1.192093e-07f, y_3_new_padded);
   const float y_4_new_padded = y_4_new_size + 1.9721523e-31f,
-      y_4_new_error_bound = 1.192093e-07f * y_4_new_padded;
+      y_4_new_error_bound = KSL_MULF(1.192093e-07f, y_4_new_padded);
   const float y_5_new_padded = y_5_new_size + 1.9721523e-31f,
-      y_5_new_error_bound = 1.192093e-07f * y_5_new_padded;
+      y_5_new_error_bound = KSL_MULF(1.192093e-07f, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -10687,12 +11126,18 @@ static inline void ksl_xpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_t
   const float y_3_new = x->m3 + y->m3;
   const float y_4_new = x->m4 + y->m4;
   const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -10718,12 +11163,18 @@ static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_
   const float y_3_new = y->m3 - x->m3;
   const float y_4_new = y->m4 - x->m4;
   const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -10743,24 +11194,24 @@ static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_acf_certified(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   const float co_0_abs = fabsf(co_0), co_0_padded = co_0_abs + 1.9721523e-31f,
-      co_0_error_bound = 5.960465e-08f * co_0_padded;
+      co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_padded);
   const float co_1_abs = fabsf(co_1), co_1_padded = co_1_abs + 1.9721523e-31f,
-      co_1_error_bound = 5.960465e-08f * co_1_padded;
+      co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_padded);
   const float co_2_abs = fabsf(co_2), co_2_padded = co_2_abs + 1.9721523e-31f,
-      co_2_error_bound = 5.960465e-08f * co_2_padded;
+      co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_padded);
   const float co_3_abs = fabsf(co_3), co_3_padded = co_3_abs + 1.9721523e-31f,
-      co_3_error_bound = 5.960465e-08f * co_3_padded;
+      co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_padded);
   const float co_4_abs = fabsf(co_4), co_4_padded = co_4_abs + 1.9721523e-31f,
-      co_4_error_bound = 5.960465e-08f * co_4_padded;
+      co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_padded);
   const float co_5_abs = fabsf(co_5), co_5_padded = co_5_abs + 1.9721523e-31f,
-      co_5_error_bound = 5.960465e-08f * co_5_padded;
+      co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -10786,12 +11237,12 @@ static inline void ksl_add_ccf_certified(const ksl_coscrewf_t *c1, const ksl_cos
   const float co_3 = c1->m3 + c2->m3;
   const float co_4 = c1->m4 + c2->m4;
   const float co_5 = c1->m5 + c2->m5;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
-  const float co_3_abs = fabsf(co_3), co_3_error_bound = 5.960465e-08f * co_3_abs;
-  const float co_4_abs = fabsf(co_4), co_4_error_bound = 5.960465e-08f * co_4_abs;
-  const float co_5_abs = fabsf(co_5), co_5_error_bound = 5.960465e-08f * co_5_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
+  const float co_3_abs = fabsf(co_3), co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_abs);
+  const float co_4_abs = fabsf(co_4), co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_abs);
+  const float co_5_abs = fabsf(co_5), co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -10817,12 +11268,12 @@ static inline void ksl_subtract_ccf_certified(const ksl_coscrewf_t *c1, const ks
   const float co_3 = c1->m3 - c2->m3;
   const float co_4 = c1->m4 - c2->m4;
   const float co_5 = c1->m5 - c2->m5;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
-  const float co_3_abs = fabsf(co_3), co_3_error_bound = 5.960465e-08f * co_3_abs;
-  const float co_4_abs = fabsf(co_4), co_4_error_bound = 5.960465e-08f * co_4_abs;
-  const float co_5_abs = fabsf(co_5), co_5_error_bound = 5.960465e-08f * co_5_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
+  const float co_3_abs = fabsf(co_3), co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_abs);
+  const float co_4_abs = fabsf(co_4), co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_abs);
+  const float co_5_abs = fabsf(co_5), co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -10845,9 +11296,9 @@ static inline void ksl_add_cctf_certified(const ksl_coscrewf_t *c1, const ksl_co
   const float co_0 = c1->m0 + c2->m0;
   const float co_1 = c1->m1 + c2->m1;
   const float co_2 = c1->m2 + c2->m2;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -10870,11 +11321,11 @@ static inline void ksl_add_cctf_certified(const ksl_coscrewf_t *c1, const ksl_co
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -10886,11 +11337,11 @@ static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -10913,11 +11364,11 @@ static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -10929,11 +11380,11 @@ static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -10959,11 +11410,11 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -10975,11 +11426,11 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -10999,18 +11450,18 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0_size = co_0c_size + co_0d_abs;
@@ -11030,17 +11481,17 @@ static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const k
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5_size = co_5c_size + co_5d_abs;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11060,18 +11511,18 @@ static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const k
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0_size = co_0c_size + co_0d_abs;
@@ -11091,17 +11542,17 @@ static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5_size = co_5c_size + co_5d_abs;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11121,18 +11572,18 @@ static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0e_size = co_0c_size + co_0d_abs;
@@ -11152,17 +11603,17 @@ static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5e_size = co_5c_size + co_5d_abs;
   const float co_0e_padded = co_0e_size + 1.9721523e-31f,
-      co_0e_error_bound = 1.7881396e-07f * co_0e_padded;
+      co_0e_error_bound = KSL_MULF(1.7881396e-07f, co_0e_padded);
   const float co_1e_padded = co_1e_size + 1.9721523e-31f,
-      co_1e_error_bound = 1.7881396e-07f * co_1e_padded;
+      co_1e_error_bound = KSL_MULF(1.7881396e-07f, co_1e_padded);
   const float co_2e_padded = co_2e_size + 1.9721523e-31f,
-      co_2e_error_bound = 1.7881396e-07f * co_2e_padded;
+      co_2e_error_bound = KSL_MULF(1.7881396e-07f, co_2e_padded);
   const float co_3e_padded = co_3e_size + 1.9721523e-31f,
-      co_3e_error_bound = 1.7881396e-07f * co_3e_padded;
+      co_3e_error_bound = KSL_MULF(1.7881396e-07f, co_3e_padded);
   const float co_4e_padded = co_4e_size + 1.9721523e-31f,
-      co_4e_error_bound = 1.7881396e-07f * co_4e_padded;
+      co_4e_error_bound = KSL_MULF(1.7881396e-07f, co_4e_padded);
   const float co_5e_padded = co_5e_size + 1.9721523e-31f,
-      co_5e_error_bound = 1.7881396e-07f * co_5e_padded;
+      co_5e_error_bound = KSL_MULF(1.7881396e-07f, co_5e_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11182,21 +11633,24 @@ static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -11210,25 +11664,26 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -11248,24 +11703,24 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const float co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const float co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
   const float w_3a_abs = fabsf(w_3a), w_3b_abs = fabsf(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
       ci_3_abs = fabsf(ci->m3), w_3_size = w_3c_size + ci_3_abs;
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
@@ -11282,33 +11737,33 @@ static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ks
       co_2c_size = co_2a_abs + co_2b_abs, co_2d_abs = fabsf(co_2d),
       co_2_size = co_2c_size + co_2d_abs;
   const float w_3_padded = w_3_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), co_3a_size = D_00_abs * w_3_padded;
+  const float D_00_abs = fabsf(D->m00), co_3a_size = KSL_MULF(D_00_abs, w_3_padded);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), co_3b_size = D_10_abs * w_4_padded,
+  const float D_10_abs = fabsf(D->m10), co_3b_size = KSL_MULF(D_10_abs, w_4_padded),
       co_3c_size = co_3a_size + co_3b_size;
   const float w_5_padded = w_5_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), co_3d_size = D_20_abs * w_5_padded,
+  const float D_20_abs = fabsf(D->m20), co_3d_size = KSL_MULF(D_20_abs, w_5_padded),
       co_3_size = co_3c_size + co_3d_size;
-  const float D_01_abs = fabsf(D->m01), co_4a_size = D_01_abs * w_3_padded,
-      D_11_abs = fabsf(D->m11), co_4b_size = D_11_abs * w_4_padded,
+  const float D_01_abs = fabsf(D->m01), co_4a_size = KSL_MULF(D_01_abs, w_3_padded),
+      D_11_abs = fabsf(D->m11), co_4b_size = KSL_MULF(D_11_abs, w_4_padded),
       co_4c_size = co_4a_size + co_4b_size, D_21_abs = fabsf(D->m21),
-      co_4d_size = D_21_abs * w_5_padded, co_4_size = co_4c_size + co_4d_size;
-  const float D_02_abs = fabsf(D->m02), co_5a_size = D_02_abs * w_3_padded,
-      D_12_abs = fabsf(D->m12), co_5b_size = D_12_abs * w_4_padded,
+      co_4d_size = KSL_MULF(D_21_abs, w_5_padded), co_4_size = co_4c_size + co_4d_size;
+  const float D_02_abs = fabsf(D->m02), co_5a_size = KSL_MULF(D_02_abs, w_3_padded),
+      D_12_abs = fabsf(D->m12), co_5b_size = KSL_MULF(D_12_abs, w_4_padded),
       co_5c_size = co_5a_size + co_5b_size, D_22_abs = fabsf(D->m22),
-      co_5d_size = D_22_abs * w_5_padded, co_5_size = co_5c_size + co_5d_size;
+      co_5d_size = KSL_MULF(D_22_abs, w_5_padded), co_5_size = co_5c_size + co_5d_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11328,21 +11783,24 @@ static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ks
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0e_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -11356,25 +11814,26 @@ static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ks
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const float w_2e_padded = w_2e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2e_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2e_padded);
   const float w_1e_padded = w_1e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1e_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1e_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3e_size;
   const float w_0e_padded = w_0e_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0e_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2e_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0e_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2e_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4e_size;
-  const float co_5a_size = D_03_abs * w_1e_padded, co_5b_size = D_13_abs * w_0e_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5e_size;
-  const float w_0e_error_bound = 1.7881396e-07f * w_0e_padded;
-  const float w_1e_error_bound = 1.7881396e-07f * w_1e_padded;
-  const float w_2e_error_bound = 1.7881396e-07f * w_2e_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1e_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0e_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5e_size;
+  const float w_0e_error_bound = KSL_MULF(1.7881396e-07f, w_0e_padded);
+  const float w_1e_error_bound = KSL_MULF(1.7881396e-07f, w_1e_padded);
+  const float w_2e_error_bound = KSL_MULF(1.7881396e-07f, w_2e_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -11394,18 +11853,21 @@ static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ks
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctxf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -11428,18 +11890,21 @@ static inline void ksl_hctxf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctyf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -11462,18 +11927,21 @@ static inline void ksl_hctyf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctzf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -11499,18 +11967,21 @@ static inline void ksl_hctxinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11533,18 +12004,21 @@ static inline void ksl_hctyinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11567,18 +12041,21 @@ static inline void ksl_hctzinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11598,15 +12075,24 @@ static inline void ksl_hctzinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
    27 mul, 27 add, 18 abs. */
 static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
     ksl_mat6x6f_t *M_bound) {
-  const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const float M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const float M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const float M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const float M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const float M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const float M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const float M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const float M_30a_abs = fabsf(M_30a), M_30b_abs = fabsf(M_30b), M_30_size = M_30a_abs + M_30b_abs;
   const float M_31a_abs = fabsf(M_31a), M_31b_abs = fabsf(M_31b), M_31_size = M_31a_abs + M_31b_abs;
   const float M_32a_abs = fabsf(M_32a), M_32b_abs = fabsf(M_32b), M_32_size = M_32a_abs + M_32b_abs;
@@ -11617,23 +12103,23 @@ static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
   const float M_51a_abs = fabsf(M_51a), M_51b_abs = fabsf(M_51b), M_51_size = M_51a_abs + M_51b_abs;
   const float M_52a_abs = fabsf(M_52a), M_52b_abs = fabsf(M_52b), M_52_size = M_52a_abs + M_52b_abs;
   const float M_30_padded = M_30_size + 1.9721523e-31f,
-      M_30_error_bound = 1.192093e-07f * M_30_padded;
+      M_30_error_bound = KSL_MULF(1.192093e-07f, M_30_padded);
   const float M_31_padded = M_31_size + 1.9721523e-31f,
-      M_31_error_bound = 1.192093e-07f * M_31_padded;
+      M_31_error_bound = KSL_MULF(1.192093e-07f, M_31_padded);
   const float M_32_padded = M_32_size + 1.9721523e-31f,
-      M_32_error_bound = 1.192093e-07f * M_32_padded;
+      M_32_error_bound = KSL_MULF(1.192093e-07f, M_32_padded);
   const float M_40_padded = M_40_size + 1.9721523e-31f,
-      M_40_error_bound = 1.192093e-07f * M_40_padded;
+      M_40_error_bound = KSL_MULF(1.192093e-07f, M_40_padded);
   const float M_41_padded = M_41_size + 1.9721523e-31f,
-      M_41_error_bound = 1.192093e-07f * M_41_padded;
+      M_41_error_bound = KSL_MULF(1.192093e-07f, M_41_padded);
   const float M_42_padded = M_42_size + 1.9721523e-31f,
-      M_42_error_bound = 1.192093e-07f * M_42_padded;
+      M_42_error_bound = KSL_MULF(1.192093e-07f, M_42_padded);
   const float M_50_padded = M_50_size + 1.9721523e-31f,
-      M_50_error_bound = 1.192093e-07f * M_50_padded;
+      M_50_error_bound = KSL_MULF(1.192093e-07f, M_50_padded);
   const float M_51_padded = M_51_size + 1.9721523e-31f,
-      M_51_error_bound = 1.192093e-07f * M_51_padded;
+      M_51_error_bound = KSL_MULF(1.192093e-07f, M_51_padded);
   const float M_52_padded = M_52_size + 1.9721523e-31f,
-      M_52_error_bound = 1.192093e-07f * M_52_padded;
+      M_52_error_bound = KSL_MULF(1.192093e-07f, M_52_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -11724,10 +12210,10 @@ static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
    7 mul, 11 add, 6 abs. */
 static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, const float x[6],
     float *power_bound) {
-  const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   const float power_a_abs = fabsf(power_a), power_b_abs = fabsf(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabsf(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabsf(power_f),
@@ -11735,7 +12221,7 @@ static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, c
       power_i_abs = fabsf(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const float power_padded = power_size + 1.9721523e-31f,
-      power_error_bound = 2.3841864e-07f * power_padded;
+      power_error_bound = KSL_MULF(2.3841864e-07f, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -11745,15 +12231,18 @@ static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, c
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const float co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const float co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const float co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b), co_0_size = co_0a_abs + co_0b_abs;
   const float co_1a_abs = fabsf(co_1a), co_1b_abs = fabsf(co_1b), co_1_size = co_1a_abs + co_1b_abs;
   const float co_2a_abs = fabsf(co_2a), co_2b_abs = fabsf(co_2b), co_2_size = co_2a_abs + co_2b_abs;
@@ -11767,17 +12256,17 @@ static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_cosc
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d), co_5e_abs = fabsf(co_5e),
       co_5f_size = co_5d_abs + co_5e_abs, co_5_size = co_5c_size + co_5f_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.192093e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.192093e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.192093e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.192093e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.192093e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.192093e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -11797,18 +12286,18 @@ static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_cosc
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_scaf_certified(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const float co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const float co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -11829,18 +12318,21 @@ static inline void ksl_cross_scaf_certified(const ksl_screwf_t *s, const ksl_cos
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -11851,25 +12343,26 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -11890,18 +12383,21 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -11912,25 +12408,26 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -11951,18 +12448,21 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -11973,25 +12473,26 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12012,18 +12513,21 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -12034,25 +12538,26 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12073,18 +12578,21 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -12095,25 +12603,26 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12134,18 +12643,21 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -12156,25 +12668,26 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12195,31 +12708,31 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12240,31 +12753,31 @@ static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12285,31 +12798,31 @@ static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -12330,15 +12843,15 @@ static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -12359,15 +12872,15 @@ static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -12388,15 +12901,15 @@ static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -12424,22 +12937,22 @@ static inline void ksl_working_crzf_certified(const ksl_SE3f_t *D, const ksl_cos
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternion_scale_certified(ksl_quaternion_t *self, const double a,
     ksl_quaternion_t *self_bound) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -12456,14 +12969,18 @@ static inline void ksl_quaternion_scale_certified(ksl_quaternion_t *self, const 
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qq_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->y, q2->z),
+      qo_0c = KSL_MUL(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MUL(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
+  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1b = KSL_MUL(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MUL(q1->w, q2->y),
+      qo_1 = qo_1e + qo_1f;
+  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2b = KSL_MUL(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MUL(q1->w, q2->z),
+      qo_2 = qo_2e + qo_2f;
+  const double qo_3a = KSL_MUL(q1->w, q2->w), qo_3b = KSL_MUL(q1->x, q2->x),
+      qo_3c = KSL_MUL(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, q2->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   const double qo_0b_abs = fabs(qo_0b), qo_0c_abs = fabs(qo_0c), qo_0d_size = qo_0b_abs + qo_0c_abs,
       qo_0a_abs = fabs(qo_0a), qo_0e_size = qo_0a_abs + qo_0d_size, qo_0f_abs = fabs(qo_0f),
       qo_0_size = qo_0e_size + qo_0f_abs;
@@ -12477,13 +12994,13 @@ static inline void ksl_product_qq_certified(const ksl_quaternion_t *q1,
       qo_3e_abs = fabs(qo_3e), qo_3f_size = qo_3d_size + qo_3e_abs, qo_3a_abs = fabs(qo_3a),
       qo_3_size = qo_3a_abs + qo_3f_size;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
-      qo_0_error_bound = 4.440892098500628e-16 * qo_0_padded;
+      qo_0_error_bound = KSL_MUL(4.440892098500628e-16, qo_0_padded);
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
-      qo_1_error_bound = 4.440892098500628e-16 * qo_1_padded;
+      qo_1_error_bound = KSL_MUL(4.440892098500628e-16, qo_1_padded);
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
-      qo_2_error_bound = 4.440892098500628e-16 * qo_2_padded;
+      qo_2_error_bound = KSL_MUL(4.440892098500628e-16, qo_2_padded);
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
-      qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
+      qo_3_error_bound = KSL_MUL(4.440892098500628e-16, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12499,14 +13016,18 @@ static inline void ksl_product_qq_certified(const ksl_quaternion_t *q1,
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qconjq_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0b = KSL_MUL(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->w, q2->y), qo_1e = KSL_MUL(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->w, q2->z), qo_2e = KSL_MUL(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   const double qo_0a_abs = fabs(qo_0a), qo_0b_abs = fabs(qo_0b), qo_0c_size = qo_0a_abs + qo_0b_abs,
       qo_0d_abs = fabs(qo_0d), qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_abs + qo_0e_abs,
       qo_0_size = qo_0c_size + qo_0f_size;
@@ -12520,13 +13041,13 @@ static inline void ksl_product_qconjq_certified(const ksl_quaternion_t *q1,
       qo_3d_abs = fabs(qo_3d), qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabs(qo_3f),
       qo_3_size = qo_3e_size + qo_3f_abs;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
-      qo_0_error_bound = 3.3306690738754706e-16 * qo_0_padded;
+      qo_0_error_bound = KSL_MUL(3.3306690738754706e-16, qo_0_padded);
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
-      qo_1_error_bound = 3.3306690738754706e-16 * qo_1_padded;
+      qo_1_error_bound = KSL_MUL(3.3306690738754706e-16, qo_1_padded);
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
-      qo_2_error_bound = 3.3306690738754706e-16 * qo_2_padded;
+      qo_2_error_bound = KSL_MUL(3.3306690738754706e-16, qo_2_padded);
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
-      qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
+      qo_3_error_bound = KSL_MUL(4.440892098500628e-16, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12542,14 +13063,18 @@ static inline void ksl_product_qconjq_certified(const ksl_quaternion_t *q1,
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqconj_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = KSL_MUL(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = KSL_MUL(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   const double qo_0a_abs = fabs(qo_0a), qo_0b_abs = fabs(qo_0b), qo_0c_size = qo_0a_abs + qo_0b_abs,
       qo_0d_abs = fabs(qo_0d), qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_abs + qo_0e_abs,
       qo_0_size = qo_0c_size + qo_0f_size;
@@ -12563,13 +13088,13 @@ static inline void ksl_product_qqconj_certified(const ksl_quaternion_t *q1,
       qo_3d_abs = fabs(qo_3d), qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabs(qo_3f),
       qo_3_size = qo_3e_size + qo_3f_abs;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
-      qo_0_error_bound = 3.3306690738754706e-16 * qo_0_padded;
+      qo_0_error_bound = KSL_MUL(3.3306690738754706e-16, qo_0_padded);
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
-      qo_1_error_bound = 3.3306690738754706e-16 * qo_1_padded;
+      qo_1_error_bound = KSL_MUL(3.3306690738754706e-16, qo_1_padded);
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
-      qo_2_error_bound = 3.3306690738754706e-16 * qo_2_padded;
+      qo_2_error_bound = KSL_MUL(3.3306690738754706e-16, qo_2_padded);
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
-      qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
+      qo_3_error_bound = KSL_MUL(4.440892098500628e-16, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12585,18 +13110,18 @@ static inline void ksl_product_qqconj_certified(const ksl_quaternion_t *q1,
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
-  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
-  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
+  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
+  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0b = KSL_MUL(q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1b = KSL_MUL(q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2b = KSL_MUL(q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -12604,34 +13129,34 @@ static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl
   const double c_1a_abs = fabs(c_1a), c_1b_abs = fabs(c_1b), c_1_size = c_1a_abs + c_1b_abs;
   const double c_2a_abs = fabs(c_2a), c_2b_abs = fabs(c_2b), c_2_size = c_2a_abs + c_2b_abs;
   const double c_0_padded = c_0_size + 2.004168360008973e-292;
-  const double t_0_size = 2.0 * c_0_padded;
+  const double t_0_size = KSL_MUL(2.0, c_0_padded);
   const double c_1_padded = c_1_size + 2.004168360008973e-292;
-  const double t_1_size = 2.0 * c_1_padded;
+  const double t_1_size = KSL_MUL(2.0, c_1_padded);
   const double c_2_padded = c_2_size + 2.004168360008973e-292;
-  const double t_2_size = 2.0 * c_2_padded;
+  const double t_2_size = KSL_MUL(2.0, c_2_padded);
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
-  const double q_1_abs = fabs(q->y), turn_0a_size = q_1_abs * t_2_padded;
+  const double q_1_abs = fabs(q->y), turn_0a_size = KSL_MUL(q_1_abs, t_2_padded);
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
-  const double q_2_abs = fabs(q->z), turn_0b_size = q_2_abs * t_1_padded,
+  const double q_2_abs = fabs(q->z), turn_0b_size = KSL_MUL(q_2_abs, t_1_padded),
       turn_0c_size = turn_0a_size + turn_0b_size;
   const double t_0_padded = t_0_size + 2.004168360008973e-292;
-  const double q_3_abs = fabs(q->w), turn_0d_size = q_3_abs * t_0_padded,
+  const double q_3_abs = fabs(q->w), turn_0d_size = KSL_MUL(q_3_abs, t_0_padded),
       turn_0_size = turn_0c_size + turn_0d_size;
-  const double turn_1a_size = q_2_abs * t_0_padded, q_0_abs = fabs(q->x),
-      turn_1b_size = q_0_abs * t_2_padded, turn_1c_size = turn_1a_size + turn_1b_size,
-      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
-  const double turn_2a_size = q_0_abs * t_1_padded, turn_2b_size = q_1_abs * t_0_padded,
-      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
-      turn_2_size = turn_2c_size + turn_2d_size;
+  const double turn_1a_size = KSL_MUL(q_2_abs, t_0_padded), q_0_abs = fabs(q->x),
+      turn_1b_size = KSL_MUL(q_0_abs, t_2_padded), turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = KSL_MUL(q_3_abs, t_1_padded), turn_1_size = turn_1c_size + turn_1d_size;
+  const double turn_2a_size = KSL_MUL(q_0_abs, t_1_padded),
+      turn_2b_size = KSL_MUL(q_1_abs, t_0_padded), turn_2c_size = turn_2a_size + turn_2b_size,
+      turn_2d_size = KSL_MUL(q_3_abs, t_2_padded), turn_2_size = turn_2c_size + turn_2d_size;
   const double v_0_abs = fabs(v->x), vo_0_size = v_0_abs + turn_0_size;
   const double v_1_abs = fabs(v->y), vo_1_size = v_1_abs + turn_1_size;
   const double v_2_abs = fabs(v->z), vo_2_size = v_2_abs + turn_2_size;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 7.7715611723761e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(7.7715611723761e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 7.7715611723761e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(7.7715611723761e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 7.7715611723761e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(7.7715611723761e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -12645,18 +13170,18 @@ static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
-  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
-  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
-  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
+  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
+  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0b = KSL_MUL(q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1b = KSL_MUL(q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2b = KSL_MUL(q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -12664,34 +13189,34 @@ static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const
   const double c_1a_abs = fabs(c_1a), c_1b_abs = fabs(c_1b), c_1_size = c_1a_abs + c_1b_abs;
   const double c_2a_abs = fabs(c_2a), c_2b_abs = fabs(c_2b), c_2_size = c_2a_abs + c_2b_abs;
   const double c_0_padded = c_0_size + 2.004168360008973e-292;
-  const double t_0_size = 2.0 * c_0_padded;
+  const double t_0_size = KSL_MUL(2.0, c_0_padded);
   const double c_1_padded = c_1_size + 2.004168360008973e-292;
-  const double t_1_size = 2.0 * c_1_padded;
+  const double t_1_size = KSL_MUL(2.0, c_1_padded);
   const double c_2_padded = c_2_size + 2.004168360008973e-292;
-  const double t_2_size = 2.0 * c_2_padded;
+  const double t_2_size = KSL_MUL(2.0, c_2_padded);
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
-  const double q_2_abs = fabs(q->z), turn_0a_size = q_2_abs * t_1_padded;
+  const double q_2_abs = fabs(q->z), turn_0a_size = KSL_MUL(q_2_abs, t_1_padded);
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
-  const double q_1_abs = fabs(q->y), turn_0b_size = q_1_abs * t_2_padded,
+  const double q_1_abs = fabs(q->y), turn_0b_size = KSL_MUL(q_1_abs, t_2_padded),
       turn_0c_size = turn_0a_size + turn_0b_size;
   const double t_0_padded = t_0_size + 2.004168360008973e-292;
-  const double q_3_abs = fabs(q->w), turn_0d_size = q_3_abs * t_0_padded,
+  const double q_3_abs = fabs(q->w), turn_0d_size = KSL_MUL(q_3_abs, t_0_padded),
       turn_0_size = turn_0c_size + turn_0d_size;
-  const double q_0_abs = fabs(q->x), turn_1a_size = q_0_abs * t_2_padded,
-      turn_1b_size = q_2_abs * t_0_padded, turn_1c_size = turn_1a_size + turn_1b_size,
-      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
-  const double turn_2a_size = q_1_abs * t_0_padded, turn_2b_size = q_0_abs * t_1_padded,
-      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
-      turn_2_size = turn_2c_size + turn_2d_size;
+  const double q_0_abs = fabs(q->x), turn_1a_size = KSL_MUL(q_0_abs, t_2_padded),
+      turn_1b_size = KSL_MUL(q_2_abs, t_0_padded), turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = KSL_MUL(q_3_abs, t_1_padded), turn_1_size = turn_1c_size + turn_1d_size;
+  const double turn_2a_size = KSL_MUL(q_1_abs, t_0_padded),
+      turn_2b_size = KSL_MUL(q_0_abs, t_1_padded), turn_2c_size = turn_2a_size + turn_2b_size,
+      turn_2d_size = KSL_MUL(q_3_abs, t_2_padded), turn_2_size = turn_2c_size + turn_2d_size;
   const double v_0_abs = fabs(v->x), vo_0_size = v_0_abs + turn_0_size;
   const double v_1_abs = fabs(v->y), vo_1_size = v_1_abs + turn_1_size;
   const double v_2_abs = fabs(v->z), vo_2_size = v_2_abs + turn_2_size;
   const double vo_0_padded = vo_0_size + 2.004168360008973e-292,
-      vo_0_error_bound = 7.7715611723761e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(7.7715611723761e-16, vo_0_padded);
   const double vo_1_padded = vo_1_size + 2.004168360008973e-292,
-      vo_1_error_bound = 7.7715611723761e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(7.7715611723761e-16, vo_1_padded);
   const double vo_2_padded = vo_2_size + 2.004168360008973e-292,
-      vo_2_error_bound = 7.7715611723761e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(7.7715611723761e-16, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -12705,22 +13230,22 @@ static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternionf_scale_certified(ksl_quaternionf_t *self, const float a,
     ksl_quaternionf_t *self_bound) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -12737,14 +13262,18 @@ static inline void ksl_quaternionf_scale_certified(ksl_quaternionf_t *self, cons
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
-  const float qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
-  const float qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->y, q2->z),
+      qo_0c = KSL_MULF(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MULF(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
+  const float qo_1a = KSL_MULF(q1->z, q2->x), qo_1b = KSL_MULF(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MULF(q1->w, q2->y),
+      qo_1 = qo_1e + qo_1f;
+  const float qo_2a = KSL_MULF(q1->x, q2->y), qo_2b = KSL_MULF(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MULF(q1->w, q2->z),
+      qo_2 = qo_2e + qo_2f;
+  const float qo_3a = KSL_MULF(q1->w, q2->w), qo_3b = KSL_MULF(q1->x, q2->x),
+      qo_3c = KSL_MULF(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, q2->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   const float qo_0b_abs = fabsf(qo_0b), qo_0c_abs = fabsf(qo_0c),
       qo_0d_size = qo_0b_abs + qo_0c_abs, qo_0a_abs = fabsf(qo_0a),
       qo_0e_size = qo_0a_abs + qo_0d_size, qo_0f_abs = fabsf(qo_0f),
@@ -12762,13 +13291,13 @@ static inline void ksl_product_qqf_certified(const ksl_quaternionf_t *q1,
       qo_3f_size = qo_3d_size + qo_3e_abs, qo_3a_abs = fabsf(qo_3a),
       qo_3_size = qo_3a_abs + qo_3f_size;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
-      qo_0_error_bound = 2.3841864e-07f * qo_0_padded;
+      qo_0_error_bound = KSL_MULF(2.3841864e-07f, qo_0_padded);
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
-      qo_1_error_bound = 2.3841864e-07f * qo_1_padded;
+      qo_1_error_bound = KSL_MULF(2.3841864e-07f, qo_1_padded);
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
-      qo_2_error_bound = 2.3841864e-07f * qo_2_padded;
+      qo_2_error_bound = KSL_MULF(2.3841864e-07f, qo_2_padded);
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
-      qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
+      qo_3_error_bound = KSL_MULF(2.3841864e-07f, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12784,14 +13313,18 @@ static inline void ksl_product_qqf_certified(const ksl_quaternionf_t *q1,
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a = KSL_MULF(q1->w, q2->x), qo_0b = KSL_MULF(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->w, q2->y), qo_1e = KSL_MULF(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->w, q2->z), qo_2e = KSL_MULF(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   const float qo_0a_abs = fabsf(qo_0a), qo_0b_abs = fabsf(qo_0b),
       qo_0c_size = qo_0a_abs + qo_0b_abs, qo_0d_abs = fabsf(qo_0d), qo_0e_abs = fabsf(qo_0e),
       qo_0f_size = qo_0d_abs + qo_0e_abs, qo_0_size = qo_0c_size + qo_0f_size;
@@ -12806,13 +13339,13 @@ static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1,
       qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabsf(qo_3f),
       qo_3_size = qo_3e_size + qo_3f_abs;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
-      qo_0_error_bound = 1.7881396e-07f * qo_0_padded;
+      qo_0_error_bound = KSL_MULF(1.7881396e-07f, qo_0_padded);
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
-      qo_1_error_bound = 1.7881396e-07f * qo_1_padded;
+      qo_1_error_bound = KSL_MULF(1.7881396e-07f, qo_1_padded);
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
-      qo_2_error_bound = 1.7881396e-07f * qo_2_padded;
+      qo_2_error_bound = KSL_MULF(1.7881396e-07f, qo_2_padded);
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
-      qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
+      qo_3_error_bound = KSL_MULF(2.3841864e-07f, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12828,14 +13361,18 @@ static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1,
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
-      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
+      qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = KSL_MULF(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
+      qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = KSL_MULF(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
+      qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
+      qo_3 = qo_3e + qo_3f;
   const float qo_0a_abs = fabsf(qo_0a), qo_0b_abs = fabsf(qo_0b),
       qo_0c_size = qo_0a_abs + qo_0b_abs, qo_0d_abs = fabsf(qo_0d), qo_0e_abs = fabsf(qo_0e),
       qo_0f_size = qo_0d_abs + qo_0e_abs, qo_0_size = qo_0c_size + qo_0f_size;
@@ -12850,13 +13387,13 @@ static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1,
       qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabsf(qo_3f),
       qo_3_size = qo_3e_size + qo_3f_abs;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
-      qo_0_error_bound = 1.7881396e-07f * qo_0_padded;
+      qo_0_error_bound = KSL_MULF(1.7881396e-07f, qo_0_padded);
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
-      qo_1_error_bound = 1.7881396e-07f * qo_1_padded;
+      qo_1_error_bound = KSL_MULF(1.7881396e-07f, qo_1_padded);
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
-      qo_2_error_bound = 1.7881396e-07f * qo_2_padded;
+      qo_2_error_bound = KSL_MULF(1.7881396e-07f, qo_2_padded);
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
-      qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
+      qo_3_error_bound = KSL_MULF(2.3841864e-07f, qo_3_padded);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -12872,18 +13409,18 @@ static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1,
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b;
-  const float c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b;
-  const float c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b;
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const float turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const float turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(q->x, v->y), c_2b = KSL_MULF(q->y, v->x), c_2 = c_2a - c_2b;
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->y, t_2), turn_0b = KSL_MULF(q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const float turn_1a = KSL_MULF(q->z, t_0), turn_1b = KSL_MULF(q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const float turn_2a = KSL_MULF(q->x, t_1), turn_2b = KSL_MULF(q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -12891,34 +13428,34 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const k
   const float c_1a_abs = fabsf(c_1a), c_1b_abs = fabsf(c_1b), c_1_size = c_1a_abs + c_1b_abs;
   const float c_2a_abs = fabsf(c_2a), c_2b_abs = fabsf(c_2b), c_2_size = c_2a_abs + c_2b_abs;
   const float c_0_padded = c_0_size + 1.9721523e-31f;
-  const float t_0_size = 2.0f * c_0_padded;
+  const float t_0_size = KSL_MULF(2.0f, c_0_padded);
   const float c_1_padded = c_1_size + 1.9721523e-31f;
-  const float t_1_size = 2.0f * c_1_padded;
+  const float t_1_size = KSL_MULF(2.0f, c_1_padded);
   const float c_2_padded = c_2_size + 1.9721523e-31f;
-  const float t_2_size = 2.0f * c_2_padded;
+  const float t_2_size = KSL_MULF(2.0f, c_2_padded);
   const float t_2_padded = t_2_size + 1.9721523e-31f;
-  const float q_1_abs = fabsf(q->y), turn_0a_size = q_1_abs * t_2_padded;
+  const float q_1_abs = fabsf(q->y), turn_0a_size = KSL_MULF(q_1_abs, t_2_padded);
   const float t_1_padded = t_1_size + 1.9721523e-31f;
-  const float q_2_abs = fabsf(q->z), turn_0b_size = q_2_abs * t_1_padded,
+  const float q_2_abs = fabsf(q->z), turn_0b_size = KSL_MULF(q_2_abs, t_1_padded),
       turn_0c_size = turn_0a_size + turn_0b_size;
   const float t_0_padded = t_0_size + 1.9721523e-31f;
-  const float q_3_abs = fabsf(q->w), turn_0d_size = q_3_abs * t_0_padded,
+  const float q_3_abs = fabsf(q->w), turn_0d_size = KSL_MULF(q_3_abs, t_0_padded),
       turn_0_size = turn_0c_size + turn_0d_size;
-  const float turn_1a_size = q_2_abs * t_0_padded, q_0_abs = fabsf(q->x),
-      turn_1b_size = q_0_abs * t_2_padded, turn_1c_size = turn_1a_size + turn_1b_size,
-      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
-  const float turn_2a_size = q_0_abs * t_1_padded, turn_2b_size = q_1_abs * t_0_padded,
-      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
-      turn_2_size = turn_2c_size + turn_2d_size;
+  const float turn_1a_size = KSL_MULF(q_2_abs, t_0_padded), q_0_abs = fabsf(q->x),
+      turn_1b_size = KSL_MULF(q_0_abs, t_2_padded), turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = KSL_MULF(q_3_abs, t_1_padded), turn_1_size = turn_1c_size + turn_1d_size;
+  const float turn_2a_size = KSL_MULF(q_0_abs, t_1_padded),
+      turn_2b_size = KSL_MULF(q_1_abs, t_0_padded), turn_2c_size = turn_2a_size + turn_2b_size,
+      turn_2d_size = KSL_MULF(q_3_abs, t_2_padded), turn_2_size = turn_2c_size + turn_2d_size;
   const float v_0_abs = fabsf(v->x), vo_0_size = v_0_abs + turn_0_size;
   const float v_1_abs = fabsf(v->y), vo_1_size = v_1_abs + turn_1_size;
   const float v_2_abs = fabsf(v->z), vo_2_size = v_2_abs + turn_2_size;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 4.1723263e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(4.1723263e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 4.1723263e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(4.1723263e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 4.1723263e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(4.1723263e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -12932,18 +13469,18 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const k
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
-  const float c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b;
-  const float c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b;
-  const float c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b;
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
-      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const float turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
-      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const float turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
-      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(q->y, v->x), c_2b = KSL_MULF(q->x, v->y), c_2 = c_2a - c_2b;
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->z, t_1), turn_0b = KSL_MULF(q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const float turn_1a = KSL_MULF(q->x, t_2), turn_1b = KSL_MULF(q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const float turn_2a = KSL_MULF(q->y, t_0), turn_2b = KSL_MULF(q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -12951,34 +13488,34 @@ static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, con
   const float c_1a_abs = fabsf(c_1a), c_1b_abs = fabsf(c_1b), c_1_size = c_1a_abs + c_1b_abs;
   const float c_2a_abs = fabsf(c_2a), c_2b_abs = fabsf(c_2b), c_2_size = c_2a_abs + c_2b_abs;
   const float c_0_padded = c_0_size + 1.9721523e-31f;
-  const float t_0_size = 2.0f * c_0_padded;
+  const float t_0_size = KSL_MULF(2.0f, c_0_padded);
   const float c_1_padded = c_1_size + 1.9721523e-31f;
-  const float t_1_size = 2.0f * c_1_padded;
+  const float t_1_size = KSL_MULF(2.0f, c_1_padded);
   const float c_2_padded = c_2_size + 1.9721523e-31f;
-  const float t_2_size = 2.0f * c_2_padded;
+  const float t_2_size = KSL_MULF(2.0f, c_2_padded);
   const float t_1_padded = t_1_size + 1.9721523e-31f;
-  const float q_2_abs = fabsf(q->z), turn_0a_size = q_2_abs * t_1_padded;
+  const float q_2_abs = fabsf(q->z), turn_0a_size = KSL_MULF(q_2_abs, t_1_padded);
   const float t_2_padded = t_2_size + 1.9721523e-31f;
-  const float q_1_abs = fabsf(q->y), turn_0b_size = q_1_abs * t_2_padded,
+  const float q_1_abs = fabsf(q->y), turn_0b_size = KSL_MULF(q_1_abs, t_2_padded),
       turn_0c_size = turn_0a_size + turn_0b_size;
   const float t_0_padded = t_0_size + 1.9721523e-31f;
-  const float q_3_abs = fabsf(q->w), turn_0d_size = q_3_abs * t_0_padded,
+  const float q_3_abs = fabsf(q->w), turn_0d_size = KSL_MULF(q_3_abs, t_0_padded),
       turn_0_size = turn_0c_size + turn_0d_size;
-  const float q_0_abs = fabsf(q->x), turn_1a_size = q_0_abs * t_2_padded,
-      turn_1b_size = q_2_abs * t_0_padded, turn_1c_size = turn_1a_size + turn_1b_size,
-      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
-  const float turn_2a_size = q_1_abs * t_0_padded, turn_2b_size = q_0_abs * t_1_padded,
-      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
-      turn_2_size = turn_2c_size + turn_2d_size;
+  const float q_0_abs = fabsf(q->x), turn_1a_size = KSL_MULF(q_0_abs, t_2_padded),
+      turn_1b_size = KSL_MULF(q_2_abs, t_0_padded), turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = KSL_MULF(q_3_abs, t_1_padded), turn_1_size = turn_1c_size + turn_1d_size;
+  const float turn_2a_size = KSL_MULF(q_1_abs, t_0_padded),
+      turn_2b_size = KSL_MULF(q_0_abs, t_1_padded), turn_2c_size = turn_2a_size + turn_2b_size,
+      turn_2d_size = KSL_MULF(q_3_abs, t_2_padded), turn_2_size = turn_2c_size + turn_2d_size;
   const float v_0_abs = fabsf(v->x), vo_0_size = v_0_abs + turn_0_size;
   const float v_1_abs = fabsf(v->y), vo_1_size = v_1_abs + turn_1_size;
   const float v_2_abs = fabsf(v->z), vo_2_size = v_2_abs + turn_2_size;
   const float vo_0_padded = vo_0_size + 1.9721523e-31f,
-      vo_0_error_bound = 4.1723263e-07f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(4.1723263e-07f, vo_0_padded);
   const float vo_1_padded = vo_1_size + 1.9721523e-31f,
-      vo_1_error_bound = 4.1723263e-07f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(4.1723263e-07f, vo_1_padded);
   const float vo_2_padded = vo_2_size + 1.9721523e-31f,
-      vo_2_error_bound = 4.1723263e-07f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(4.1723263e-07f, vo_2_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -13001,56 +13538,74 @@ static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, con
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
     ksl_mat3x3_t *self_bound) {
-  const double defect_0a = self->m00 * self->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = self->m01 * self->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = self->m02 * self->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
-  const double defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
+  const double defect_0a = KSL_MUL(self->m00, self->m00), defect_0b = 1.0 - defect_0a,
+      defect_0c = KSL_MUL(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MUL(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
+  const double defect_1a = KSL_MUL(self->m01, self->m01), defect_1b = 1.0 - defect_1a,
+      defect_1c = KSL_MUL(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MUL(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
+  const double defect_2a = KSL_MUL(self->m02, self->m02), defect_2b = 1.0 - defect_2a,
+      defect_2c = KSL_MUL(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MUL(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
+  const double defect_3a = KSL_MUL(self->m00, self->m01), defect_3b = KSL_MUL(self->m10, self->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(self->m20, self->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
+  const double defect_4a = KSL_MUL(self->m00, self->m02), defect_4b = KSL_MUL(self->m10, self->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(self->m20, self->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
+  const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5b = KSL_MUL(self->m11, self->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(self->m21, self->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
-      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double self_00_new_a = KSL_MUL(self->m00, correction_0),
+      self_00_new_b = KSL_MUL(self->m01, correction_3),
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = KSL_MUL(self->m02, correction_4),
       self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const double self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
-      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+  const double self_01_new_a = KSL_MUL(self->m00, correction_3),
+      self_01_new_b = KSL_MUL(self->m01, correction_1),
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = KSL_MUL(self->m02, correction_5),
       self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const double self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
-      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+  const double self_02_new_a = KSL_MUL(self->m00, correction_4),
+      self_02_new_b = KSL_MUL(self->m01, correction_5),
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = KSL_MUL(self->m02, correction_2),
       self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const double self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
-      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+  const double self_10_new_a = KSL_MUL(self->m10, correction_0),
+      self_10_new_b = KSL_MUL(self->m11, correction_3),
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = KSL_MUL(self->m12, correction_4),
       self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const double self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
-      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+  const double self_11_new_a = KSL_MUL(self->m10, correction_3),
+      self_11_new_b = KSL_MUL(self->m11, correction_1),
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = KSL_MUL(self->m12, correction_5),
       self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const double self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
-      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+  const double self_12_new_a = KSL_MUL(self->m10, correction_4),
+      self_12_new_b = KSL_MUL(self->m11, correction_5),
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = KSL_MUL(self->m12, correction_2),
       self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const double self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
-      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+  const double self_20_new_a = KSL_MUL(self->m20, correction_0),
+      self_20_new_b = KSL_MUL(self->m21, correction_3),
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = KSL_MUL(self->m22, correction_4),
       self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const double self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
-      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+  const double self_21_new_a = KSL_MUL(self->m20, correction_3),
+      self_21_new_b = KSL_MUL(self->m21, correction_1),
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = KSL_MUL(self->m22, correction_5),
       self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const double self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
-      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+  const double self_22_new_a = KSL_MUL(self->m20, correction_4),
+      self_22_new_b = KSL_MUL(self->m21, correction_5),
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = KSL_MUL(self->m22, correction_2),
       self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
   const double defect_0a_abs = fabs(defect_0a), defect_0b_size = 1.0 + defect_0a_abs,
       defect_0c_abs = fabs(defect_0c), defect_0d_size = defect_0b_size + defect_0c_abs,
@@ -13071,100 +13626,100 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
       defect_5c_size = defect_5a_abs + defect_5b_abs, defect_5d_abs = fabs(defect_5d),
       defect_5e_size = defect_5c_size + defect_5d_abs;
   const double defect_0_padded = defect_0_size + 2.004168360008973e-292;
-  const double correction_0_size = 0.5 * defect_0_padded;
+  const double correction_0_size = KSL_MUL(0.5, defect_0_padded);
   const double defect_1_padded = defect_1_size + 2.004168360008973e-292;
-  const double correction_1_size = 0.5 * defect_1_padded;
+  const double correction_1_size = KSL_MUL(0.5, defect_1_padded);
   const double defect_2_padded = defect_2_size + 2.004168360008973e-292;
-  const double correction_2_size = 0.5 * defect_2_padded;
+  const double correction_2_size = KSL_MUL(0.5, defect_2_padded);
   const double defect_3e_padded = defect_3e_size + 2.004168360008973e-292;
-  const double correction_3_size = 0.5 * defect_3e_padded;
+  const double correction_3_size = KSL_MUL(0.5, defect_3e_padded);
   const double defect_4e_padded = defect_4e_size + 2.004168360008973e-292;
-  const double correction_4_size = 0.5 * defect_4e_padded;
+  const double correction_4_size = KSL_MUL(0.5, defect_4e_padded);
   const double defect_5e_padded = defect_5e_size + 2.004168360008973e-292;
-  const double correction_5_size = 0.5 * defect_5e_padded;
+  const double correction_5_size = KSL_MUL(0.5, defect_5e_padded);
   const double correction_0_padded = correction_0_size + 2.004168360008973e-292;
   const double self_00_abs = fabs(self->m00),
-      self_00_new_a_size = self_00_abs * correction_0_padded;
+      self_00_new_a_size = KSL_MUL(self_00_abs, correction_0_padded);
   const double correction_3_padded = correction_3_size + 2.004168360008973e-292;
   const double self_01_abs = fabs(self->m01),
-      self_00_new_b_size = self_01_abs * correction_3_padded,
+      self_00_new_b_size = KSL_MUL(self_01_abs, correction_3_padded),
       self_00_new_c_size = self_00_new_a_size + self_00_new_b_size;
   const double correction_4_padded = correction_4_size + 2.004168360008973e-292;
   const double self_02_abs = fabs(self->m02),
-      self_00_new_d_size = self_02_abs * correction_4_padded,
+      self_00_new_d_size = KSL_MUL(self_02_abs, correction_4_padded),
       self_00_new_e_size = self_00_new_c_size + self_00_new_d_size,
       self_00_new_size = self_00_abs + self_00_new_e_size;
-  const double self_01_new_a_size = self_00_abs * correction_3_padded;
+  const double self_01_new_a_size = KSL_MUL(self_00_abs, correction_3_padded);
   const double correction_1_padded = correction_1_size + 2.004168360008973e-292;
-  const double self_01_new_b_size = self_01_abs * correction_1_padded,
+  const double self_01_new_b_size = KSL_MUL(self_01_abs, correction_1_padded),
       self_01_new_c_size = self_01_new_a_size + self_01_new_b_size;
   const double correction_5_padded = correction_5_size + 2.004168360008973e-292;
-  const double self_01_new_d_size = self_02_abs * correction_5_padded,
+  const double self_01_new_d_size = KSL_MUL(self_02_abs, correction_5_padded),
       self_01_new_e_size = self_01_new_c_size + self_01_new_d_size,
       self_01_new_size = self_01_new_e_size + self_01_abs;
-  const double self_02_new_a_size = self_00_abs * correction_4_padded,
-      self_02_new_b_size = self_01_abs * correction_5_padded,
+  const double self_02_new_a_size = KSL_MUL(self_00_abs, correction_4_padded),
+      self_02_new_b_size = KSL_MUL(self_01_abs, correction_5_padded),
       self_02_new_c_size = self_02_new_a_size + self_02_new_b_size;
   const double correction_2_padded = correction_2_size + 2.004168360008973e-292;
-  const double self_02_new_d_size = self_02_abs * correction_2_padded,
+  const double self_02_new_d_size = KSL_MUL(self_02_abs, correction_2_padded),
       self_02_new_e_size = self_02_new_c_size + self_02_new_d_size,
       self_02_new_size = self_02_new_e_size + self_02_abs;
   const double self_10_abs = fabs(self->m10),
-      self_10_new_a_size = self_10_abs * correction_0_padded, self_11_abs = fabs(self->m11),
-      self_10_new_b_size = self_11_abs * correction_3_padded,
+      self_10_new_a_size = KSL_MUL(self_10_abs, correction_0_padded), self_11_abs = fabs(self->m11),
+      self_10_new_b_size = KSL_MUL(self_11_abs, correction_3_padded),
       self_10_new_c_size = self_10_new_a_size + self_10_new_b_size, self_12_abs = fabs(self->m12),
-      self_10_new_d_size = self_12_abs * correction_4_padded,
+      self_10_new_d_size = KSL_MUL(self_12_abs, correction_4_padded),
       self_10_new_e_size = self_10_new_c_size + self_10_new_d_size,
       self_10_new_size = self_10_abs + self_10_new_e_size;
-  const double self_11_new_a_size = self_10_abs * correction_3_padded,
-      self_11_new_b_size = self_11_abs * correction_1_padded,
+  const double self_11_new_a_size = KSL_MUL(self_10_abs, correction_3_padded),
+      self_11_new_b_size = KSL_MUL(self_11_abs, correction_1_padded),
       self_11_new_c_size = self_11_new_a_size + self_11_new_b_size,
-      self_11_new_d_size = self_12_abs * correction_5_padded,
+      self_11_new_d_size = KSL_MUL(self_12_abs, correction_5_padded),
       self_11_new_e_size = self_11_new_c_size + self_11_new_d_size,
       self_11_new_size = self_11_new_e_size + self_11_abs;
-  const double self_12_new_a_size = self_10_abs * correction_4_padded,
-      self_12_new_b_size = self_11_abs * correction_5_padded,
+  const double self_12_new_a_size = KSL_MUL(self_10_abs, correction_4_padded),
+      self_12_new_b_size = KSL_MUL(self_11_abs, correction_5_padded),
       self_12_new_c_size = self_12_new_a_size + self_12_new_b_size,
-      self_12_new_d_size = self_12_abs * correction_2_padded,
+      self_12_new_d_size = KSL_MUL(self_12_abs, correction_2_padded),
       self_12_new_e_size = self_12_new_c_size + self_12_new_d_size,
       self_12_new_size = self_12_new_e_size + self_12_abs;
   const double self_20_abs = fabs(self->m20),
-      self_20_new_a_size = self_20_abs * correction_0_padded, self_21_abs = fabs(self->m21),
-      self_20_new_b_size = self_21_abs * correction_3_padded,
+      self_20_new_a_size = KSL_MUL(self_20_abs, correction_0_padded), self_21_abs = fabs(self->m21),
+      self_20_new_b_size = KSL_MUL(self_21_abs, correction_3_padded),
       self_20_new_c_size = self_20_new_a_size + self_20_new_b_size, self_22_abs = fabs(self->m22),
-      self_20_new_d_size = self_22_abs * correction_4_padded,
+      self_20_new_d_size = KSL_MUL(self_22_abs, correction_4_padded),
       self_20_new_e_size = self_20_new_c_size + self_20_new_d_size,
       self_20_new_size = self_20_abs + self_20_new_e_size;
-  const double self_21_new_a_size = self_20_abs * correction_3_padded,
-      self_21_new_b_size = self_21_abs * correction_1_padded,
+  const double self_21_new_a_size = KSL_MUL(self_20_abs, correction_3_padded),
+      self_21_new_b_size = KSL_MUL(self_21_abs, correction_1_padded),
       self_21_new_c_size = self_21_new_a_size + self_21_new_b_size,
-      self_21_new_d_size = self_22_abs * correction_5_padded,
+      self_21_new_d_size = KSL_MUL(self_22_abs, correction_5_padded),
       self_21_new_e_size = self_21_new_c_size + self_21_new_d_size,
       self_21_new_size = self_21_new_e_size + self_21_abs;
-  const double self_22_new_a_size = self_20_abs * correction_4_padded,
-      self_22_new_b_size = self_21_abs * correction_5_padded,
+  const double self_22_new_a_size = KSL_MUL(self_20_abs, correction_4_padded),
+      self_22_new_b_size = KSL_MUL(self_21_abs, correction_5_padded),
       self_22_new_c_size = self_22_new_a_size + self_22_new_b_size,
-      self_22_new_d_size = self_22_abs * correction_2_padded,
+      self_22_new_d_size = KSL_MUL(self_22_abs, correction_2_padded),
       self_22_new_e_size = self_22_new_c_size + self_22_new_d_size,
       self_22_new_size = self_22_new_e_size + self_22_abs;
   const double self_00_new_padded = self_00_new_size + 2.004168360008973e-292,
-      self_00_new_error_bound = 9.992007221626415e-16 * self_00_new_padded;
+      self_00_new_error_bound = KSL_MUL(9.992007221626415e-16, self_00_new_padded);
   const double self_01_new_padded = self_01_new_size + 2.004168360008973e-292,
-      self_01_new_error_bound = 9.992007221626415e-16 * self_01_new_padded;
+      self_01_new_error_bound = KSL_MUL(9.992007221626415e-16, self_01_new_padded);
   const double self_02_new_padded = self_02_new_size + 2.004168360008973e-292,
-      self_02_new_error_bound = 8.881784197001258e-16 * self_02_new_padded;
+      self_02_new_error_bound = KSL_MUL(8.881784197001258e-16, self_02_new_padded);
   const double self_10_new_padded = self_10_new_size + 2.004168360008973e-292,
-      self_10_new_error_bound = 9.992007221626415e-16 * self_10_new_padded;
+      self_10_new_error_bound = KSL_MUL(9.992007221626415e-16, self_10_new_padded);
   const double self_11_new_padded = self_11_new_size + 2.004168360008973e-292,
-      self_11_new_error_bound = 9.992007221626415e-16 * self_11_new_padded;
+      self_11_new_error_bound = KSL_MUL(9.992007221626415e-16, self_11_new_padded);
   const double self_12_new_padded = self_12_new_size + 2.004168360008973e-292,
-      self_12_new_error_bound = 8.881784197001258e-16 * self_12_new_padded;
+      self_12_new_error_bound = KSL_MUL(8.881784197001258e-16, self_12_new_padded);
   const double self_20_new_padded = self_20_new_size + 2.004168360008973e-292,
-      self_20_new_error_bound = 9.992007221626415e-16 * self_20_new_padded;
+      self_20_new_error_bound = KSL_MUL(9.992007221626415e-16, self_20_new_padded);
   const double self_21_new_padded = self_21_new_size + 2.004168360008973e-292,
-      self_21_new_error_bound = 9.992007221626415e-16 * self_21_new_padded;
+      self_21_new_error_bound = KSL_MUL(9.992007221626415e-16, self_21_new_padded);
   const double self_22_new_padded = self_22_new_size + 2.004168360008973e-292,
-      self_22_new_error_bound = 8.881784197001258e-16 * self_22_new_padded;
+      self_22_new_error_bound = KSL_MUL(8.881784197001258e-16, self_22_new_padded);
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -13191,56 +13746,56 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro,
     ksl_mat3x3_t *Ro_bound) {
-  const double defect_0a = R->m00 * R->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
-      defect_0 = defect_0d - defect_0e;
-  const double defect_1a = R->m01 * R->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
-      defect_1 = defect_1d - defect_1e;
-  const double defect_2a = R->m02 * R->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
-      defect_2 = defect_2d - defect_2e;
-  const double defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+  const double defect_0a = KSL_MUL(R->m00, R->m00), defect_0b = 1.0 - defect_0a,
+      defect_0c = KSL_MUL(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MUL(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
+  const double defect_1a = KSL_MUL(R->m01, R->m01), defect_1b = 1.0 - defect_1a,
+      defect_1c = KSL_MUL(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MUL(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
+  const double defect_2a = KSL_MUL(R->m02, R->m02), defect_2b = 1.0 - defect_2a,
+      defect_2c = KSL_MUL(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MUL(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3b = KSL_MUL(R->m10, R->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(R->m20, R->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4b = KSL_MUL(R->m10, R->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(R->m20, R->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5b = KSL_MUL(R->m11, R->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(R->m21, R->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double Ro_00a = KSL_MUL(R->m00, correction_0), Ro_00b = KSL_MUL(R->m01, correction_3),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
       Ro_00 = R->m00 + Ro_00e;
-  const double Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+  const double Ro_01a = KSL_MUL(R->m00, correction_3), Ro_01b = KSL_MUL(R->m01, correction_1),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
       Ro_01 = Ro_01e + R->m01;
-  const double Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+  const double Ro_02a = KSL_MUL(R->m00, correction_4), Ro_02b = KSL_MUL(R->m01, correction_5),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
       Ro_02 = Ro_02e + R->m02;
-  const double Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+  const double Ro_10a = KSL_MUL(R->m10, correction_0), Ro_10b = KSL_MUL(R->m11, correction_3),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
       Ro_10 = R->m10 + Ro_10e;
-  const double Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+  const double Ro_11a = KSL_MUL(R->m10, correction_3), Ro_11b = KSL_MUL(R->m11, correction_1),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
       Ro_11 = Ro_11e + R->m11;
-  const double Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+  const double Ro_12a = KSL_MUL(R->m10, correction_4), Ro_12b = KSL_MUL(R->m11, correction_5),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
       Ro_12 = Ro_12e + R->m12;
-  const double Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+  const double Ro_20a = KSL_MUL(R->m20, correction_0), Ro_20b = KSL_MUL(R->m21, correction_3),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
       Ro_20 = R->m20 + Ro_20e;
-  const double Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+  const double Ro_21a = KSL_MUL(R->m20, correction_3), Ro_21b = KSL_MUL(R->m21, correction_1),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
       Ro_21 = Ro_21e + R->m21;
-  const double Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+  const double Ro_22a = KSL_MUL(R->m20, correction_4), Ro_22b = KSL_MUL(R->m21, correction_5),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
       Ro_22 = Ro_22e + R->m22;
   const double defect_0a_abs = fabs(defect_0a), defect_0b_size = 1.0 + defect_0a_abs,
       defect_0c_abs = fabs(defect_0c), defect_0d_size = defect_0b_size + defect_0c_abs,
@@ -13261,81 +13816,81 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
       defect_5c_size = defect_5a_abs + defect_5b_abs, defect_5d_abs = fabs(defect_5d),
       defect_5e_size = defect_5c_size + defect_5d_abs;
   const double defect_0_padded = defect_0_size + 2.004168360008973e-292;
-  const double correction_0_size = 0.5 * defect_0_padded;
+  const double correction_0_size = KSL_MUL(0.5, defect_0_padded);
   const double defect_1_padded = defect_1_size + 2.004168360008973e-292;
-  const double correction_1_size = 0.5 * defect_1_padded;
+  const double correction_1_size = KSL_MUL(0.5, defect_1_padded);
   const double defect_2_padded = defect_2_size + 2.004168360008973e-292;
-  const double correction_2_size = 0.5 * defect_2_padded;
+  const double correction_2_size = KSL_MUL(0.5, defect_2_padded);
   const double defect_3e_padded = defect_3e_size + 2.004168360008973e-292;
-  const double correction_3_size = 0.5 * defect_3e_padded;
+  const double correction_3_size = KSL_MUL(0.5, defect_3e_padded);
   const double defect_4e_padded = defect_4e_size + 2.004168360008973e-292;
-  const double correction_4_size = 0.5 * defect_4e_padded;
+  const double correction_4_size = KSL_MUL(0.5, defect_4e_padded);
   const double defect_5e_padded = defect_5e_size + 2.004168360008973e-292;
-  const double correction_5_size = 0.5 * defect_5e_padded;
+  const double correction_5_size = KSL_MUL(0.5, defect_5e_padded);
   const double correction_0_padded = correction_0_size + 2.004168360008973e-292;
-  const double R_00_abs = fabs(R->m00), Ro_00a_size = R_00_abs * correction_0_padded;
+  const double R_00_abs = fabs(R->m00), Ro_00a_size = KSL_MUL(R_00_abs, correction_0_padded);
   const double correction_3_padded = correction_3_size + 2.004168360008973e-292;
-  const double R_01_abs = fabs(R->m01), Ro_00b_size = R_01_abs * correction_3_padded,
+  const double R_01_abs = fabs(R->m01), Ro_00b_size = KSL_MUL(R_01_abs, correction_3_padded),
       Ro_00c_size = Ro_00a_size + Ro_00b_size;
   const double correction_4_padded = correction_4_size + 2.004168360008973e-292;
-  const double R_02_abs = fabs(R->m02), Ro_00d_size = R_02_abs * correction_4_padded,
+  const double R_02_abs = fabs(R->m02), Ro_00d_size = KSL_MUL(R_02_abs, correction_4_padded),
       Ro_00e_size = Ro_00c_size + Ro_00d_size, Ro_00_size = R_00_abs + Ro_00e_size;
-  const double Ro_01a_size = R_00_abs * correction_3_padded;
+  const double Ro_01a_size = KSL_MUL(R_00_abs, correction_3_padded);
   const double correction_1_padded = correction_1_size + 2.004168360008973e-292;
-  const double Ro_01b_size = R_01_abs * correction_1_padded,
+  const double Ro_01b_size = KSL_MUL(R_01_abs, correction_1_padded),
       Ro_01c_size = Ro_01a_size + Ro_01b_size;
   const double correction_5_padded = correction_5_size + 2.004168360008973e-292;
-  const double Ro_01d_size = R_02_abs * correction_5_padded,
+  const double Ro_01d_size = KSL_MUL(R_02_abs, correction_5_padded),
       Ro_01e_size = Ro_01c_size + Ro_01d_size, Ro_01_size = Ro_01e_size + R_01_abs;
-  const double Ro_02a_size = R_00_abs * correction_4_padded,
-      Ro_02b_size = R_01_abs * correction_5_padded, Ro_02c_size = Ro_02a_size + Ro_02b_size;
+  const double Ro_02a_size = KSL_MUL(R_00_abs, correction_4_padded),
+      Ro_02b_size = KSL_MUL(R_01_abs, correction_5_padded), Ro_02c_size = Ro_02a_size + Ro_02b_size;
   const double correction_2_padded = correction_2_size + 2.004168360008973e-292;
-  const double Ro_02d_size = R_02_abs * correction_2_padded,
+  const double Ro_02d_size = KSL_MUL(R_02_abs, correction_2_padded),
       Ro_02e_size = Ro_02c_size + Ro_02d_size, Ro_02_size = Ro_02e_size + R_02_abs;
-  const double R_10_abs = fabs(R->m10), Ro_10a_size = R_10_abs * correction_0_padded,
-      R_11_abs = fabs(R->m11), Ro_10b_size = R_11_abs * correction_3_padded,
+  const double R_10_abs = fabs(R->m10), Ro_10a_size = KSL_MUL(R_10_abs, correction_0_padded),
+      R_11_abs = fabs(R->m11), Ro_10b_size = KSL_MUL(R_11_abs, correction_3_padded),
       Ro_10c_size = Ro_10a_size + Ro_10b_size, R_12_abs = fabs(R->m12),
-      Ro_10d_size = R_12_abs * correction_4_padded, Ro_10e_size = Ro_10c_size + Ro_10d_size,
+      Ro_10d_size = KSL_MUL(R_12_abs, correction_4_padded), Ro_10e_size = Ro_10c_size + Ro_10d_size,
       Ro_10_size = R_10_abs + Ro_10e_size;
-  const double Ro_11a_size = R_10_abs * correction_3_padded,
-      Ro_11b_size = R_11_abs * correction_1_padded, Ro_11c_size = Ro_11a_size + Ro_11b_size,
-      Ro_11d_size = R_12_abs * correction_5_padded, Ro_11e_size = Ro_11c_size + Ro_11d_size,
+  const double Ro_11a_size = KSL_MUL(R_10_abs, correction_3_padded),
+      Ro_11b_size = KSL_MUL(R_11_abs, correction_1_padded), Ro_11c_size = Ro_11a_size + Ro_11b_size,
+      Ro_11d_size = KSL_MUL(R_12_abs, correction_5_padded), Ro_11e_size = Ro_11c_size + Ro_11d_size,
       Ro_11_size = Ro_11e_size + R_11_abs;
-  const double Ro_12a_size = R_10_abs * correction_4_padded,
-      Ro_12b_size = R_11_abs * correction_5_padded, Ro_12c_size = Ro_12a_size + Ro_12b_size,
-      Ro_12d_size = R_12_abs * correction_2_padded, Ro_12e_size = Ro_12c_size + Ro_12d_size,
+  const double Ro_12a_size = KSL_MUL(R_10_abs, correction_4_padded),
+      Ro_12b_size = KSL_MUL(R_11_abs, correction_5_padded), Ro_12c_size = Ro_12a_size + Ro_12b_size,
+      Ro_12d_size = KSL_MUL(R_12_abs, correction_2_padded), Ro_12e_size = Ro_12c_size + Ro_12d_size,
       Ro_12_size = Ro_12e_size + R_12_abs;
-  const double R_20_abs = fabs(R->m20), Ro_20a_size = R_20_abs * correction_0_padded,
-      R_21_abs = fabs(R->m21), Ro_20b_size = R_21_abs * correction_3_padded,
+  const double R_20_abs = fabs(R->m20), Ro_20a_size = KSL_MUL(R_20_abs, correction_0_padded),
+      R_21_abs = fabs(R->m21), Ro_20b_size = KSL_MUL(R_21_abs, correction_3_padded),
       Ro_20c_size = Ro_20a_size + Ro_20b_size, R_22_abs = fabs(R->m22),
-      Ro_20d_size = R_22_abs * correction_4_padded, Ro_20e_size = Ro_20c_size + Ro_20d_size,
+      Ro_20d_size = KSL_MUL(R_22_abs, correction_4_padded), Ro_20e_size = Ro_20c_size + Ro_20d_size,
       Ro_20_size = R_20_abs + Ro_20e_size;
-  const double Ro_21a_size = R_20_abs * correction_3_padded,
-      Ro_21b_size = R_21_abs * correction_1_padded, Ro_21c_size = Ro_21a_size + Ro_21b_size,
-      Ro_21d_size = R_22_abs * correction_5_padded, Ro_21e_size = Ro_21c_size + Ro_21d_size,
+  const double Ro_21a_size = KSL_MUL(R_20_abs, correction_3_padded),
+      Ro_21b_size = KSL_MUL(R_21_abs, correction_1_padded), Ro_21c_size = Ro_21a_size + Ro_21b_size,
+      Ro_21d_size = KSL_MUL(R_22_abs, correction_5_padded), Ro_21e_size = Ro_21c_size + Ro_21d_size,
       Ro_21_size = Ro_21e_size + R_21_abs;
-  const double Ro_22a_size = R_20_abs * correction_4_padded,
-      Ro_22b_size = R_21_abs * correction_5_padded, Ro_22c_size = Ro_22a_size + Ro_22b_size,
-      Ro_22d_size = R_22_abs * correction_2_padded, Ro_22e_size = Ro_22c_size + Ro_22d_size,
+  const double Ro_22a_size = KSL_MUL(R_20_abs, correction_4_padded),
+      Ro_22b_size = KSL_MUL(R_21_abs, correction_5_padded), Ro_22c_size = Ro_22a_size + Ro_22b_size,
+      Ro_22d_size = KSL_MUL(R_22_abs, correction_2_padded), Ro_22e_size = Ro_22c_size + Ro_22d_size,
       Ro_22_size = Ro_22e_size + R_22_abs;
   const double Ro_00_padded = Ro_00_size + 2.004168360008973e-292,
-      Ro_00_error_bound = 9.992007221626415e-16 * Ro_00_padded;
+      Ro_00_error_bound = KSL_MUL(9.992007221626415e-16, Ro_00_padded);
   const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
-      Ro_01_error_bound = 9.992007221626415e-16 * Ro_01_padded;
+      Ro_01_error_bound = KSL_MUL(9.992007221626415e-16, Ro_01_padded);
   const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
-      Ro_02_error_bound = 8.881784197001258e-16 * Ro_02_padded;
+      Ro_02_error_bound = KSL_MUL(8.881784197001258e-16, Ro_02_padded);
   const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
-      Ro_10_error_bound = 9.992007221626415e-16 * Ro_10_padded;
+      Ro_10_error_bound = KSL_MUL(9.992007221626415e-16, Ro_10_padded);
   const double Ro_11_padded = Ro_11_size + 2.004168360008973e-292,
-      Ro_11_error_bound = 9.992007221626415e-16 * Ro_11_padded;
+      Ro_11_error_bound = KSL_MUL(9.992007221626415e-16, Ro_11_padded);
   const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
-      Ro_12_error_bound = 8.881784197001258e-16 * Ro_12_padded;
+      Ro_12_error_bound = KSL_MUL(8.881784197001258e-16, Ro_12_padded);
   const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
-      Ro_20_error_bound = 9.992007221626415e-16 * Ro_20_padded;
+      Ro_20_error_bound = KSL_MUL(9.992007221626415e-16, Ro_20_padded);
   const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
-      Ro_21_error_bound = 9.992007221626415e-16 * Ro_21_padded;
+      Ro_21_error_bound = KSL_MUL(9.992007221626415e-16, Ro_21_padded);
   const double Ro_22_padded = Ro_22_size + 2.004168360008973e-292,
-      Ro_22_error_bound = 8.881784197001258e-16 * Ro_22_padded;
+      Ro_22_error_bound = KSL_MUL(8.881784197001258e-16, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -13362,56 +13917,77 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
     ksl_mat3x3f_t *self_bound) {
-  const float defect_0a = self->m00 * self->m00, defect_0b = 1.0f - defect_0a,
-      defect_0c = self->m10 * self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = self->m20 * self->m20, defect_0 = defect_0d - defect_0e;
-  const float defect_1a = self->m01 * self->m01, defect_1b = 1.0f - defect_1a,
-      defect_1c = self->m11 * self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = self->m21 * self->m21, defect_1 = defect_1d - defect_1e;
-  const float defect_2a = self->m02 * self->m02, defect_2b = 1.0f - defect_2a,
-      defect_2c = self->m12 * self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = self->m22 * self->m22, defect_2 = defect_2d - defect_2e;
-  const float defect_3a = self->m00 * self->m01, defect_3b = self->m10 * self->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = self->m20 * self->m21,
-      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const float defect_4a = self->m00 * self->m02, defect_4b = self->m10 * self->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = self->m20 * self->m22,
-      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const float defect_5a = self->m01 * self->m02, defect_5b = self->m11 * self->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = self->m21 * self->m22,
-      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float self_00_new_a = self->m00 * correction_0, self_00_new_b = self->m01 * correction_3,
-      self_00_new_c = self_00_new_a + self_00_new_b, self_00_new_d = self->m02 * correction_4,
+  const float defect_0a = KSL_MULF(self->m00, self->m00), defect_0b = 1.0f - defect_0a,
+      defect_0c = KSL_MULF(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MULF(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
+  const float defect_1a = KSL_MULF(self->m01, self->m01), defect_1b = 1.0f - defect_1a,
+      defect_1c = KSL_MULF(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MULF(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
+  const float defect_2a = KSL_MULF(self->m02, self->m02), defect_2b = 1.0f - defect_2a,
+      defect_2c = KSL_MULF(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MULF(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
+  const float defect_3a = KSL_MULF(self->m00, self->m01),
+      defect_3b = KSL_MULF(self->m10, self->m11), defect_3c = defect_3a + defect_3b,
+      defect_3d = KSL_MULF(self->m20, self->m21), defect_3e = defect_3c + defect_3d,
+      defect_3 = -defect_3e;
+  const float defect_4a = KSL_MULF(self->m00, self->m02),
+      defect_4b = KSL_MULF(self->m10, self->m12), defect_4c = defect_4a + defect_4b,
+      defect_4d = KSL_MULF(self->m20, self->m22), defect_4e = defect_4c + defect_4d,
+      defect_4 = -defect_4e;
+  const float defect_5a = KSL_MULF(self->m01, self->m02),
+      defect_5b = KSL_MULF(self->m11, self->m12), defect_5c = defect_5a + defect_5b,
+      defect_5d = KSL_MULF(self->m21, self->m22), defect_5e = defect_5c + defect_5d,
+      defect_5 = -defect_5e;
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float self_00_new_a = KSL_MULF(self->m00, correction_0),
+      self_00_new_b = KSL_MULF(self->m01, correction_3),
+      self_00_new_c = self_00_new_a + self_00_new_b,
+      self_00_new_d = KSL_MULF(self->m02, correction_4),
       self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const float self_01_new_a = self->m00 * correction_3, self_01_new_b = self->m01 * correction_1,
-      self_01_new_c = self_01_new_a + self_01_new_b, self_01_new_d = self->m02 * correction_5,
+  const float self_01_new_a = KSL_MULF(self->m00, correction_3),
+      self_01_new_b = KSL_MULF(self->m01, correction_1),
+      self_01_new_c = self_01_new_a + self_01_new_b,
+      self_01_new_d = KSL_MULF(self->m02, correction_5),
       self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const float self_02_new_a = self->m00 * correction_4, self_02_new_b = self->m01 * correction_5,
-      self_02_new_c = self_02_new_a + self_02_new_b, self_02_new_d = self->m02 * correction_2,
+  const float self_02_new_a = KSL_MULF(self->m00, correction_4),
+      self_02_new_b = KSL_MULF(self->m01, correction_5),
+      self_02_new_c = self_02_new_a + self_02_new_b,
+      self_02_new_d = KSL_MULF(self->m02, correction_2),
       self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const float self_10_new_a = self->m10 * correction_0, self_10_new_b = self->m11 * correction_3,
-      self_10_new_c = self_10_new_a + self_10_new_b, self_10_new_d = self->m12 * correction_4,
+  const float self_10_new_a = KSL_MULF(self->m10, correction_0),
+      self_10_new_b = KSL_MULF(self->m11, correction_3),
+      self_10_new_c = self_10_new_a + self_10_new_b,
+      self_10_new_d = KSL_MULF(self->m12, correction_4),
       self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const float self_11_new_a = self->m10 * correction_3, self_11_new_b = self->m11 * correction_1,
-      self_11_new_c = self_11_new_a + self_11_new_b, self_11_new_d = self->m12 * correction_5,
+  const float self_11_new_a = KSL_MULF(self->m10, correction_3),
+      self_11_new_b = KSL_MULF(self->m11, correction_1),
+      self_11_new_c = self_11_new_a + self_11_new_b,
+      self_11_new_d = KSL_MULF(self->m12, correction_5),
       self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const float self_12_new_a = self->m10 * correction_4, self_12_new_b = self->m11 * correction_5,
-      self_12_new_c = self_12_new_a + self_12_new_b, self_12_new_d = self->m12 * correction_2,
+  const float self_12_new_a = KSL_MULF(self->m10, correction_4),
+      self_12_new_b = KSL_MULF(self->m11, correction_5),
+      self_12_new_c = self_12_new_a + self_12_new_b,
+      self_12_new_d = KSL_MULF(self->m12, correction_2),
       self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const float self_20_new_a = self->m20 * correction_0, self_20_new_b = self->m21 * correction_3,
-      self_20_new_c = self_20_new_a + self_20_new_b, self_20_new_d = self->m22 * correction_4,
+  const float self_20_new_a = KSL_MULF(self->m20, correction_0),
+      self_20_new_b = KSL_MULF(self->m21, correction_3),
+      self_20_new_c = self_20_new_a + self_20_new_b,
+      self_20_new_d = KSL_MULF(self->m22, correction_4),
       self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const float self_21_new_a = self->m20 * correction_3, self_21_new_b = self->m21 * correction_1,
-      self_21_new_c = self_21_new_a + self_21_new_b, self_21_new_d = self->m22 * correction_5,
+  const float self_21_new_a = KSL_MULF(self->m20, correction_3),
+      self_21_new_b = KSL_MULF(self->m21, correction_1),
+      self_21_new_c = self_21_new_a + self_21_new_b,
+      self_21_new_d = KSL_MULF(self->m22, correction_5),
       self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const float self_22_new_a = self->m20 * correction_4, self_22_new_b = self->m21 * correction_5,
-      self_22_new_c = self_22_new_a + self_22_new_b, self_22_new_d = self->m22 * correction_2,
+  const float self_22_new_a = KSL_MULF(self->m20, correction_4),
+      self_22_new_b = KSL_MULF(self->m21, correction_5),
+      self_22_new_c = self_22_new_a + self_22_new_b,
+      self_22_new_d = KSL_MULF(self->m22, correction_2),
       self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
   const float defect_0a_abs = fabsf(defect_0a), defect_0b_size = 1.0f + defect_0a_abs,
       defect_0c_abs = fabsf(defect_0c), defect_0d_size = defect_0b_size + defect_0c_abs,
@@ -13432,100 +14008,102 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
       defect_5c_size = defect_5a_abs + defect_5b_abs, defect_5d_abs = fabsf(defect_5d),
       defect_5e_size = defect_5c_size + defect_5d_abs;
   const float defect_0_padded = defect_0_size + 1.9721523e-31f;
-  const float correction_0_size = 0.5f * defect_0_padded;
+  const float correction_0_size = KSL_MULF(0.5f, defect_0_padded);
   const float defect_1_padded = defect_1_size + 1.9721523e-31f;
-  const float correction_1_size = 0.5f * defect_1_padded;
+  const float correction_1_size = KSL_MULF(0.5f, defect_1_padded);
   const float defect_2_padded = defect_2_size + 1.9721523e-31f;
-  const float correction_2_size = 0.5f * defect_2_padded;
+  const float correction_2_size = KSL_MULF(0.5f, defect_2_padded);
   const float defect_3e_padded = defect_3e_size + 1.9721523e-31f;
-  const float correction_3_size = 0.5f * defect_3e_padded;
+  const float correction_3_size = KSL_MULF(0.5f, defect_3e_padded);
   const float defect_4e_padded = defect_4e_size + 1.9721523e-31f;
-  const float correction_4_size = 0.5f * defect_4e_padded;
+  const float correction_4_size = KSL_MULF(0.5f, defect_4e_padded);
   const float defect_5e_padded = defect_5e_size + 1.9721523e-31f;
-  const float correction_5_size = 0.5f * defect_5e_padded;
+  const float correction_5_size = KSL_MULF(0.5f, defect_5e_padded);
   const float correction_0_padded = correction_0_size + 1.9721523e-31f;
   const float self_00_abs = fabsf(self->m00),
-      self_00_new_a_size = self_00_abs * correction_0_padded;
+      self_00_new_a_size = KSL_MULF(self_00_abs, correction_0_padded);
   const float correction_3_padded = correction_3_size + 1.9721523e-31f;
   const float self_01_abs = fabsf(self->m01),
-      self_00_new_b_size = self_01_abs * correction_3_padded,
+      self_00_new_b_size = KSL_MULF(self_01_abs, correction_3_padded),
       self_00_new_c_size = self_00_new_a_size + self_00_new_b_size;
   const float correction_4_padded = correction_4_size + 1.9721523e-31f;
   const float self_02_abs = fabsf(self->m02),
-      self_00_new_d_size = self_02_abs * correction_4_padded,
+      self_00_new_d_size = KSL_MULF(self_02_abs, correction_4_padded),
       self_00_new_e_size = self_00_new_c_size + self_00_new_d_size,
       self_00_new_size = self_00_abs + self_00_new_e_size;
-  const float self_01_new_a_size = self_00_abs * correction_3_padded;
+  const float self_01_new_a_size = KSL_MULF(self_00_abs, correction_3_padded);
   const float correction_1_padded = correction_1_size + 1.9721523e-31f;
-  const float self_01_new_b_size = self_01_abs * correction_1_padded,
+  const float self_01_new_b_size = KSL_MULF(self_01_abs, correction_1_padded),
       self_01_new_c_size = self_01_new_a_size + self_01_new_b_size;
   const float correction_5_padded = correction_5_size + 1.9721523e-31f;
-  const float self_01_new_d_size = self_02_abs * correction_5_padded,
+  const float self_01_new_d_size = KSL_MULF(self_02_abs, correction_5_padded),
       self_01_new_e_size = self_01_new_c_size + self_01_new_d_size,
       self_01_new_size = self_01_new_e_size + self_01_abs;
-  const float self_02_new_a_size = self_00_abs * correction_4_padded,
-      self_02_new_b_size = self_01_abs * correction_5_padded,
+  const float self_02_new_a_size = KSL_MULF(self_00_abs, correction_4_padded),
+      self_02_new_b_size = KSL_MULF(self_01_abs, correction_5_padded),
       self_02_new_c_size = self_02_new_a_size + self_02_new_b_size;
   const float correction_2_padded = correction_2_size + 1.9721523e-31f;
-  const float self_02_new_d_size = self_02_abs * correction_2_padded,
+  const float self_02_new_d_size = KSL_MULF(self_02_abs, correction_2_padded),
       self_02_new_e_size = self_02_new_c_size + self_02_new_d_size,
       self_02_new_size = self_02_new_e_size + self_02_abs;
   const float self_10_abs = fabsf(self->m10),
-      self_10_new_a_size = self_10_abs * correction_0_padded, self_11_abs = fabsf(self->m11),
-      self_10_new_b_size = self_11_abs * correction_3_padded,
+      self_10_new_a_size = KSL_MULF(self_10_abs, correction_0_padded),
+      self_11_abs = fabsf(self->m11),
+      self_10_new_b_size = KSL_MULF(self_11_abs, correction_3_padded),
       self_10_new_c_size = self_10_new_a_size + self_10_new_b_size, self_12_abs = fabsf(self->m12),
-      self_10_new_d_size = self_12_abs * correction_4_padded,
+      self_10_new_d_size = KSL_MULF(self_12_abs, correction_4_padded),
       self_10_new_e_size = self_10_new_c_size + self_10_new_d_size,
       self_10_new_size = self_10_abs + self_10_new_e_size;
-  const float self_11_new_a_size = self_10_abs * correction_3_padded,
-      self_11_new_b_size = self_11_abs * correction_1_padded,
+  const float self_11_new_a_size = KSL_MULF(self_10_abs, correction_3_padded),
+      self_11_new_b_size = KSL_MULF(self_11_abs, correction_1_padded),
       self_11_new_c_size = self_11_new_a_size + self_11_new_b_size,
-      self_11_new_d_size = self_12_abs * correction_5_padded,
+      self_11_new_d_size = KSL_MULF(self_12_abs, correction_5_padded),
       self_11_new_e_size = self_11_new_c_size + self_11_new_d_size,
       self_11_new_size = self_11_new_e_size + self_11_abs;
-  const float self_12_new_a_size = self_10_abs * correction_4_padded,
-      self_12_new_b_size = self_11_abs * correction_5_padded,
+  const float self_12_new_a_size = KSL_MULF(self_10_abs, correction_4_padded),
+      self_12_new_b_size = KSL_MULF(self_11_abs, correction_5_padded),
       self_12_new_c_size = self_12_new_a_size + self_12_new_b_size,
-      self_12_new_d_size = self_12_abs * correction_2_padded,
+      self_12_new_d_size = KSL_MULF(self_12_abs, correction_2_padded),
       self_12_new_e_size = self_12_new_c_size + self_12_new_d_size,
       self_12_new_size = self_12_new_e_size + self_12_abs;
   const float self_20_abs = fabsf(self->m20),
-      self_20_new_a_size = self_20_abs * correction_0_padded, self_21_abs = fabsf(self->m21),
-      self_20_new_b_size = self_21_abs * correction_3_padded,
+      self_20_new_a_size = KSL_MULF(self_20_abs, correction_0_padded),
+      self_21_abs = fabsf(self->m21),
+      self_20_new_b_size = KSL_MULF(self_21_abs, correction_3_padded),
       self_20_new_c_size = self_20_new_a_size + self_20_new_b_size, self_22_abs = fabsf(self->m22),
-      self_20_new_d_size = self_22_abs * correction_4_padded,
+      self_20_new_d_size = KSL_MULF(self_22_abs, correction_4_padded),
       self_20_new_e_size = self_20_new_c_size + self_20_new_d_size,
       self_20_new_size = self_20_abs + self_20_new_e_size;
-  const float self_21_new_a_size = self_20_abs * correction_3_padded,
-      self_21_new_b_size = self_21_abs * correction_1_padded,
+  const float self_21_new_a_size = KSL_MULF(self_20_abs, correction_3_padded),
+      self_21_new_b_size = KSL_MULF(self_21_abs, correction_1_padded),
       self_21_new_c_size = self_21_new_a_size + self_21_new_b_size,
-      self_21_new_d_size = self_22_abs * correction_5_padded,
+      self_21_new_d_size = KSL_MULF(self_22_abs, correction_5_padded),
       self_21_new_e_size = self_21_new_c_size + self_21_new_d_size,
       self_21_new_size = self_21_new_e_size + self_21_abs;
-  const float self_22_new_a_size = self_20_abs * correction_4_padded,
-      self_22_new_b_size = self_21_abs * correction_5_padded,
+  const float self_22_new_a_size = KSL_MULF(self_20_abs, correction_4_padded),
+      self_22_new_b_size = KSL_MULF(self_21_abs, correction_5_padded),
       self_22_new_c_size = self_22_new_a_size + self_22_new_b_size,
-      self_22_new_d_size = self_22_abs * correction_2_padded,
+      self_22_new_d_size = KSL_MULF(self_22_abs, correction_2_padded),
       self_22_new_e_size = self_22_new_c_size + self_22_new_d_size,
       self_22_new_size = self_22_new_e_size + self_22_abs;
   const float self_00_new_padded = self_00_new_size + 1.9721523e-31f,
-      self_00_new_error_bound = 5.36442e-07f * self_00_new_padded;
+      self_00_new_error_bound = KSL_MULF(5.36442e-07f, self_00_new_padded);
   const float self_01_new_padded = self_01_new_size + 1.9721523e-31f,
-      self_01_new_error_bound = 5.36442e-07f * self_01_new_padded;
+      self_01_new_error_bound = KSL_MULF(5.36442e-07f, self_01_new_padded);
   const float self_02_new_padded = self_02_new_size + 1.9721523e-31f,
-      self_02_new_error_bound = 4.7683733e-07f * self_02_new_padded;
+      self_02_new_error_bound = KSL_MULF(4.7683733e-07f, self_02_new_padded);
   const float self_10_new_padded = self_10_new_size + 1.9721523e-31f,
-      self_10_new_error_bound = 5.36442e-07f * self_10_new_padded;
+      self_10_new_error_bound = KSL_MULF(5.36442e-07f, self_10_new_padded);
   const float self_11_new_padded = self_11_new_size + 1.9721523e-31f,
-      self_11_new_error_bound = 5.36442e-07f * self_11_new_padded;
+      self_11_new_error_bound = KSL_MULF(5.36442e-07f, self_11_new_padded);
   const float self_12_new_padded = self_12_new_size + 1.9721523e-31f,
-      self_12_new_error_bound = 4.7683733e-07f * self_12_new_padded;
+      self_12_new_error_bound = KSL_MULF(4.7683733e-07f, self_12_new_padded);
   const float self_20_new_padded = self_20_new_size + 1.9721523e-31f,
-      self_20_new_error_bound = 5.36442e-07f * self_20_new_padded;
+      self_20_new_error_bound = KSL_MULF(5.36442e-07f, self_20_new_padded);
   const float self_21_new_padded = self_21_new_size + 1.9721523e-31f,
-      self_21_new_error_bound = 5.36442e-07f * self_21_new_padded;
+      self_21_new_error_bound = KSL_MULF(5.36442e-07f, self_21_new_padded);
   const float self_22_new_padded = self_22_new_size + 1.9721523e-31f,
-      self_22_new_error_bound = 4.7683733e-07f * self_22_new_padded;
+      self_22_new_error_bound = KSL_MULF(4.7683733e-07f, self_22_new_padded);
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -13552,56 +14130,56 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
-  const float defect_0a = R->m00 * R->m00, defect_0b = 1.0f - defect_0a,
-      defect_0c = R->m10 * R->m10, defect_0d = defect_0b - defect_0c, defect_0e = R->m20 * R->m20,
-      defect_0 = defect_0d - defect_0e;
-  const float defect_1a = R->m01 * R->m01, defect_1b = 1.0f - defect_1a,
-      defect_1c = R->m11 * R->m11, defect_1d = defect_1b - defect_1c, defect_1e = R->m21 * R->m21,
-      defect_1 = defect_1d - defect_1e;
-  const float defect_2a = R->m02 * R->m02, defect_2b = 1.0f - defect_2a,
-      defect_2c = R->m12 * R->m12, defect_2d = defect_2b - defect_2c, defect_2e = R->m22 * R->m22,
-      defect_2 = defect_2d - defect_2e;
-  const float defect_3a = R->m00 * R->m01, defect_3b = R->m10 * R->m11,
-      defect_3c = defect_3a + defect_3b, defect_3d = R->m20 * R->m21,
+  const float defect_0a = KSL_MULF(R->m00, R->m00), defect_0b = 1.0f - defect_0a,
+      defect_0c = KSL_MULF(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
+      defect_0e = KSL_MULF(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
+  const float defect_1a = KSL_MULF(R->m01, R->m01), defect_1b = 1.0f - defect_1a,
+      defect_1c = KSL_MULF(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
+      defect_1e = KSL_MULF(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
+  const float defect_2a = KSL_MULF(R->m02, R->m02), defect_2b = 1.0f - defect_2a,
+      defect_2c = KSL_MULF(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
+      defect_2e = KSL_MULF(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3b = KSL_MULF(R->m10, R->m11),
+      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MULF(R->m20, R->m21),
       defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const float defect_4a = R->m00 * R->m02, defect_4b = R->m10 * R->m12,
-      defect_4c = defect_4a + defect_4b, defect_4d = R->m20 * R->m22,
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4b = KSL_MULF(R->m10, R->m12),
+      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MULF(R->m20, R->m22),
       defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const float defect_5a = R->m01 * R->m02, defect_5b = R->m11 * R->m12,
-      defect_5c = defect_5a + defect_5b, defect_5d = R->m21 * R->m22,
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5b = KSL_MULF(R->m11, R->m12),
+      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MULF(R->m21, R->m22),
       defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float Ro_00a = R->m00 * correction_0, Ro_00b = R->m01 * correction_3,
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = R->m02 * correction_4, Ro_00e = Ro_00c + Ro_00d,
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float Ro_00a = KSL_MULF(R->m00, correction_0), Ro_00b = KSL_MULF(R->m01, correction_3),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
       Ro_00 = R->m00 + Ro_00e;
-  const float Ro_01a = R->m00 * correction_3, Ro_01b = R->m01 * correction_1,
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = R->m02 * correction_5, Ro_01e = Ro_01c + Ro_01d,
+  const float Ro_01a = KSL_MULF(R->m00, correction_3), Ro_01b = KSL_MULF(R->m01, correction_1),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
       Ro_01 = Ro_01e + R->m01;
-  const float Ro_02a = R->m00 * correction_4, Ro_02b = R->m01 * correction_5,
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = R->m02 * correction_2, Ro_02e = Ro_02c + Ro_02d,
+  const float Ro_02a = KSL_MULF(R->m00, correction_4), Ro_02b = KSL_MULF(R->m01, correction_5),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
       Ro_02 = Ro_02e + R->m02;
-  const float Ro_10a = R->m10 * correction_0, Ro_10b = R->m11 * correction_3,
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = R->m12 * correction_4, Ro_10e = Ro_10c + Ro_10d,
+  const float Ro_10a = KSL_MULF(R->m10, correction_0), Ro_10b = KSL_MULF(R->m11, correction_3),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
       Ro_10 = R->m10 + Ro_10e;
-  const float Ro_11a = R->m10 * correction_3, Ro_11b = R->m11 * correction_1,
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = R->m12 * correction_5, Ro_11e = Ro_11c + Ro_11d,
+  const float Ro_11a = KSL_MULF(R->m10, correction_3), Ro_11b = KSL_MULF(R->m11, correction_1),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
       Ro_11 = Ro_11e + R->m11;
-  const float Ro_12a = R->m10 * correction_4, Ro_12b = R->m11 * correction_5,
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = R->m12 * correction_2, Ro_12e = Ro_12c + Ro_12d,
+  const float Ro_12a = KSL_MULF(R->m10, correction_4), Ro_12b = KSL_MULF(R->m11, correction_5),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
       Ro_12 = Ro_12e + R->m12;
-  const float Ro_20a = R->m20 * correction_0, Ro_20b = R->m21 * correction_3,
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = R->m22 * correction_4, Ro_20e = Ro_20c + Ro_20d,
+  const float Ro_20a = KSL_MULF(R->m20, correction_0), Ro_20b = KSL_MULF(R->m21, correction_3),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
       Ro_20 = R->m20 + Ro_20e;
-  const float Ro_21a = R->m20 * correction_3, Ro_21b = R->m21 * correction_1,
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = R->m22 * correction_5, Ro_21e = Ro_21c + Ro_21d,
+  const float Ro_21a = KSL_MULF(R->m20, correction_3), Ro_21b = KSL_MULF(R->m21, correction_1),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
       Ro_21 = Ro_21e + R->m21;
-  const float Ro_22a = R->m20 * correction_4, Ro_22b = R->m21 * correction_5,
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = R->m22 * correction_2, Ro_22e = Ro_22c + Ro_22d,
+  const float Ro_22a = KSL_MULF(R->m20, correction_4), Ro_22b = KSL_MULF(R->m21, correction_5),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
       Ro_22 = Ro_22e + R->m22;
   const float defect_0a_abs = fabsf(defect_0a), defect_0b_size = 1.0f + defect_0a_abs,
       defect_0c_abs = fabsf(defect_0c), defect_0d_size = defect_0b_size + defect_0c_abs,
@@ -13622,80 +14200,86 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
       defect_5c_size = defect_5a_abs + defect_5b_abs, defect_5d_abs = fabsf(defect_5d),
       defect_5e_size = defect_5c_size + defect_5d_abs;
   const float defect_0_padded = defect_0_size + 1.9721523e-31f;
-  const float correction_0_size = 0.5f * defect_0_padded;
+  const float correction_0_size = KSL_MULF(0.5f, defect_0_padded);
   const float defect_1_padded = defect_1_size + 1.9721523e-31f;
-  const float correction_1_size = 0.5f * defect_1_padded;
+  const float correction_1_size = KSL_MULF(0.5f, defect_1_padded);
   const float defect_2_padded = defect_2_size + 1.9721523e-31f;
-  const float correction_2_size = 0.5f * defect_2_padded;
+  const float correction_2_size = KSL_MULF(0.5f, defect_2_padded);
   const float defect_3e_padded = defect_3e_size + 1.9721523e-31f;
-  const float correction_3_size = 0.5f * defect_3e_padded;
+  const float correction_3_size = KSL_MULF(0.5f, defect_3e_padded);
   const float defect_4e_padded = defect_4e_size + 1.9721523e-31f;
-  const float correction_4_size = 0.5f * defect_4e_padded;
+  const float correction_4_size = KSL_MULF(0.5f, defect_4e_padded);
   const float defect_5e_padded = defect_5e_size + 1.9721523e-31f;
-  const float correction_5_size = 0.5f * defect_5e_padded;
+  const float correction_5_size = KSL_MULF(0.5f, defect_5e_padded);
   const float correction_0_padded = correction_0_size + 1.9721523e-31f;
-  const float R_00_abs = fabsf(R->m00), Ro_00a_size = R_00_abs * correction_0_padded;
+  const float R_00_abs = fabsf(R->m00), Ro_00a_size = KSL_MULF(R_00_abs, correction_0_padded);
   const float correction_3_padded = correction_3_size + 1.9721523e-31f;
-  const float R_01_abs = fabsf(R->m01), Ro_00b_size = R_01_abs * correction_3_padded,
+  const float R_01_abs = fabsf(R->m01), Ro_00b_size = KSL_MULF(R_01_abs, correction_3_padded),
       Ro_00c_size = Ro_00a_size + Ro_00b_size;
   const float correction_4_padded = correction_4_size + 1.9721523e-31f;
-  const float R_02_abs = fabsf(R->m02), Ro_00d_size = R_02_abs * correction_4_padded,
+  const float R_02_abs = fabsf(R->m02), Ro_00d_size = KSL_MULF(R_02_abs, correction_4_padded),
       Ro_00e_size = Ro_00c_size + Ro_00d_size, Ro_00_size = R_00_abs + Ro_00e_size;
-  const float Ro_01a_size = R_00_abs * correction_3_padded;
+  const float Ro_01a_size = KSL_MULF(R_00_abs, correction_3_padded);
   const float correction_1_padded = correction_1_size + 1.9721523e-31f;
-  const float Ro_01b_size = R_01_abs * correction_1_padded, Ro_01c_size = Ro_01a_size + Ro_01b_size;
+  const float Ro_01b_size = KSL_MULF(R_01_abs, correction_1_padded),
+      Ro_01c_size = Ro_01a_size + Ro_01b_size;
   const float correction_5_padded = correction_5_size + 1.9721523e-31f;
-  const float Ro_01d_size = R_02_abs * correction_5_padded, Ro_01e_size = Ro_01c_size + Ro_01d_size,
-      Ro_01_size = Ro_01e_size + R_01_abs;
-  const float Ro_02a_size = R_00_abs * correction_4_padded,
-      Ro_02b_size = R_01_abs * correction_5_padded, Ro_02c_size = Ro_02a_size + Ro_02b_size;
+  const float Ro_01d_size = KSL_MULF(R_02_abs, correction_5_padded),
+      Ro_01e_size = Ro_01c_size + Ro_01d_size, Ro_01_size = Ro_01e_size + R_01_abs;
+  const float Ro_02a_size = KSL_MULF(R_00_abs, correction_4_padded),
+      Ro_02b_size = KSL_MULF(R_01_abs, correction_5_padded),
+      Ro_02c_size = Ro_02a_size + Ro_02b_size;
   const float correction_2_padded = correction_2_size + 1.9721523e-31f;
-  const float Ro_02d_size = R_02_abs * correction_2_padded, Ro_02e_size = Ro_02c_size + Ro_02d_size,
-      Ro_02_size = Ro_02e_size + R_02_abs;
-  const float R_10_abs = fabsf(R->m10), Ro_10a_size = R_10_abs * correction_0_padded,
-      R_11_abs = fabsf(R->m11), Ro_10b_size = R_11_abs * correction_3_padded,
+  const float Ro_02d_size = KSL_MULF(R_02_abs, correction_2_padded),
+      Ro_02e_size = Ro_02c_size + Ro_02d_size, Ro_02_size = Ro_02e_size + R_02_abs;
+  const float R_10_abs = fabsf(R->m10), Ro_10a_size = KSL_MULF(R_10_abs, correction_0_padded),
+      R_11_abs = fabsf(R->m11), Ro_10b_size = KSL_MULF(R_11_abs, correction_3_padded),
       Ro_10c_size = Ro_10a_size + Ro_10b_size, R_12_abs = fabsf(R->m12),
-      Ro_10d_size = R_12_abs * correction_4_padded, Ro_10e_size = Ro_10c_size + Ro_10d_size,
-      Ro_10_size = R_10_abs + Ro_10e_size;
-  const float Ro_11a_size = R_10_abs * correction_3_padded,
-      Ro_11b_size = R_11_abs * correction_1_padded, Ro_11c_size = Ro_11a_size + Ro_11b_size,
-      Ro_11d_size = R_12_abs * correction_5_padded, Ro_11e_size = Ro_11c_size + Ro_11d_size,
-      Ro_11_size = Ro_11e_size + R_11_abs;
-  const float Ro_12a_size = R_10_abs * correction_4_padded,
-      Ro_12b_size = R_11_abs * correction_5_padded, Ro_12c_size = Ro_12a_size + Ro_12b_size,
-      Ro_12d_size = R_12_abs * correction_2_padded, Ro_12e_size = Ro_12c_size + Ro_12d_size,
-      Ro_12_size = Ro_12e_size + R_12_abs;
-  const float R_20_abs = fabsf(R->m20), Ro_20a_size = R_20_abs * correction_0_padded,
-      R_21_abs = fabsf(R->m21), Ro_20b_size = R_21_abs * correction_3_padded,
+      Ro_10d_size = KSL_MULF(R_12_abs, correction_4_padded),
+      Ro_10e_size = Ro_10c_size + Ro_10d_size, Ro_10_size = R_10_abs + Ro_10e_size;
+  const float Ro_11a_size = KSL_MULF(R_10_abs, correction_3_padded),
+      Ro_11b_size = KSL_MULF(R_11_abs, correction_1_padded),
+      Ro_11c_size = Ro_11a_size + Ro_11b_size,
+      Ro_11d_size = KSL_MULF(R_12_abs, correction_5_padded),
+      Ro_11e_size = Ro_11c_size + Ro_11d_size, Ro_11_size = Ro_11e_size + R_11_abs;
+  const float Ro_12a_size = KSL_MULF(R_10_abs, correction_4_padded),
+      Ro_12b_size = KSL_MULF(R_11_abs, correction_5_padded),
+      Ro_12c_size = Ro_12a_size + Ro_12b_size,
+      Ro_12d_size = KSL_MULF(R_12_abs, correction_2_padded),
+      Ro_12e_size = Ro_12c_size + Ro_12d_size, Ro_12_size = Ro_12e_size + R_12_abs;
+  const float R_20_abs = fabsf(R->m20), Ro_20a_size = KSL_MULF(R_20_abs, correction_0_padded),
+      R_21_abs = fabsf(R->m21), Ro_20b_size = KSL_MULF(R_21_abs, correction_3_padded),
       Ro_20c_size = Ro_20a_size + Ro_20b_size, R_22_abs = fabsf(R->m22),
-      Ro_20d_size = R_22_abs * correction_4_padded, Ro_20e_size = Ro_20c_size + Ro_20d_size,
-      Ro_20_size = R_20_abs + Ro_20e_size;
-  const float Ro_21a_size = R_20_abs * correction_3_padded,
-      Ro_21b_size = R_21_abs * correction_1_padded, Ro_21c_size = Ro_21a_size + Ro_21b_size,
-      Ro_21d_size = R_22_abs * correction_5_padded, Ro_21e_size = Ro_21c_size + Ro_21d_size,
-      Ro_21_size = Ro_21e_size + R_21_abs;
-  const float Ro_22a_size = R_20_abs * correction_4_padded,
-      Ro_22b_size = R_21_abs * correction_5_padded, Ro_22c_size = Ro_22a_size + Ro_22b_size,
-      Ro_22d_size = R_22_abs * correction_2_padded, Ro_22e_size = Ro_22c_size + Ro_22d_size,
-      Ro_22_size = Ro_22e_size + R_22_abs;
+      Ro_20d_size = KSL_MULF(R_22_abs, correction_4_padded),
+      Ro_20e_size = Ro_20c_size + Ro_20d_size, Ro_20_size = R_20_abs + Ro_20e_size;
+  const float Ro_21a_size = KSL_MULF(R_20_abs, correction_3_padded),
+      Ro_21b_size = KSL_MULF(R_21_abs, correction_1_padded),
+      Ro_21c_size = Ro_21a_size + Ro_21b_size,
+      Ro_21d_size = KSL_MULF(R_22_abs, correction_5_padded),
+      Ro_21e_size = Ro_21c_size + Ro_21d_size, Ro_21_size = Ro_21e_size + R_21_abs;
+  const float Ro_22a_size = KSL_MULF(R_20_abs, correction_4_padded),
+      Ro_22b_size = KSL_MULF(R_21_abs, correction_5_padded),
+      Ro_22c_size = Ro_22a_size + Ro_22b_size,
+      Ro_22d_size = KSL_MULF(R_22_abs, correction_2_padded),
+      Ro_22e_size = Ro_22c_size + Ro_22d_size, Ro_22_size = Ro_22e_size + R_22_abs;
   const float Ro_00_padded = Ro_00_size + 1.9721523e-31f,
-      Ro_00_error_bound = 5.36442e-07f * Ro_00_padded;
+      Ro_00_error_bound = KSL_MULF(5.36442e-07f, Ro_00_padded);
   const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
-      Ro_01_error_bound = 5.36442e-07f * Ro_01_padded;
+      Ro_01_error_bound = KSL_MULF(5.36442e-07f, Ro_01_padded);
   const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
-      Ro_02_error_bound = 4.7683733e-07f * Ro_02_padded;
+      Ro_02_error_bound = KSL_MULF(4.7683733e-07f, Ro_02_padded);
   const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
-      Ro_10_error_bound = 5.36442e-07f * Ro_10_padded;
+      Ro_10_error_bound = KSL_MULF(5.36442e-07f, Ro_10_padded);
   const float Ro_11_padded = Ro_11_size + 1.9721523e-31f,
-      Ro_11_error_bound = 5.36442e-07f * Ro_11_padded;
+      Ro_11_error_bound = KSL_MULF(5.36442e-07f, Ro_11_padded);
   const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
-      Ro_12_error_bound = 4.7683733e-07f * Ro_12_padded;
+      Ro_12_error_bound = KSL_MULF(4.7683733e-07f, Ro_12_padded);
   const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
-      Ro_20_error_bound = 5.36442e-07f * Ro_20_padded;
+      Ro_20_error_bound = KSL_MULF(5.36442e-07f, Ro_20_padded);
   const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
-      Ro_21_error_bound = 5.36442e-07f * Ro_21_padded;
+      Ro_21_error_bound = KSL_MULF(5.36442e-07f, Ro_21_padded);
   const float Ro_22_padded = Ro_22_size + 1.9721523e-31f,
-      Ro_22_error_bound = 4.7683733e-07f * Ro_22_padded;
+      Ro_22_error_bound = KSL_MULF(4.7683733e-07f, Ro_22_padded);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -13730,46 +14314,46 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
    20 mul, 10 add, 10 abs. */
 static inline void ksl_inertia_scale_certified(ksl_inertia_t *self, const double a,
     ksl_inertia_t *self_bound) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   const double self_6_new_abs = fabs(self_6_new),
       self_6_new_padded = self_6_new_abs + 2.004168360008973e-292,
-      self_6_new_error_bound = 1.1102230246251568e-16 * self_6_new_padded;
+      self_6_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_6_new_padded);
   const double self_7_new_abs = fabs(self_7_new),
       self_7_new_padded = self_7_new_abs + 2.004168360008973e-292,
-      self_7_new_error_bound = 1.1102230246251568e-16 * self_7_new_padded;
+      self_7_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_7_new_padded);
   const double self_8_new_abs = fabs(self_8_new),
       self_8_new_padded = self_8_new_abs + 2.004168360008973e-292,
-      self_8_new_error_bound = 1.1102230246251568e-16 * self_8_new_padded;
+      self_8_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_8_new_padded);
   const double self_9_new_abs = fabs(self_9_new),
       self_9_new_padded = self_9_new_abs + 2.004168360008973e-292,
-      self_9_new_error_bound = 1.1102230246251568e-16 * self_9_new_padded;
+      self_9_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_9_new_padded);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -13808,16 +14392,16 @@ static inline void ksl_add_BB_certified(const ksl_inertia_t *B1, const ksl_inert
   const double Bo_7 = B1->xy + B2->xy;
   const double Bo_8 = B1->xz + B2->xz;
   const double Bo_9 = B1->yz + B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -13856,16 +14440,16 @@ static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_
   const double Bo_7 = B1->xy - B2->xy;
   const double Bo_8 = B1->xz - B2->xz;
   const double Bo_9 = B1->yz - B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -13896,51 +14480,51 @@ static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_
    24 mul, 27 add, 12 abs. */
 static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   const double h_0_abs = fabs(h_0), h_0_padded = h_0_abs + 2.004168360008973e-292;
-  const double com_0_abs = fabs(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const double com_0_abs = fabs(com->x), squares_0_size = KSL_MUL(com_0_abs, h_0_padded);
   const double h_1_abs = fabs(h_1), h_1_padded = h_1_abs + 2.004168360008973e-292;
-  const double com_1_abs = fabs(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const double com_1_abs = fabs(com->y), squares_1_size = KSL_MUL(com_1_abs, h_1_padded);
   const double h_2_abs = fabs(h_2), h_2_padded = h_2_abs + 2.004168360008973e-292;
-  const double com_2_abs = fabs(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const double com_2_abs = fabs(com->z), squares_2_size = KSL_MUL(com_2_abs, h_2_padded);
   const double Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabs(Ic->m00),
       Bo_4_size = Ic_00_abs + Bo_4a_size;
   const double Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabs(Ic->m11),
       Bo_5_size = Ic_11_abs + Bo_5a_size;
   const double Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabs(Ic->m22),
       Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const double Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabs(Ic->m01),
+  const double Bo_7a_size = KSL_MUL(com_1_abs, h_0_padded), Ic_01_abs = fabs(Ic->m01),
       Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const double Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabs(Ic->m02),
+  const double Bo_8a_size = KSL_MUL(com_2_abs, h_0_padded), Ic_02_abs = fabs(Ic->m02),
       Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const double Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabs(Ic->m12),
+  const double Bo_9a_size = KSL_MUL(com_2_abs, h_1_padded), Ic_12_abs = fabs(Ic->m12),
       Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const double h_0_error_bound = 1.1102230246251568e-16 * h_0_padded;
-  const double h_1_error_bound = 1.1102230246251568e-16 * h_1_padded;
-  const double h_2_error_bound = 1.1102230246251568e-16 * h_2_padded;
+  const double h_0_error_bound = KSL_MUL(1.1102230246251568e-16, h_0_padded);
+  const double h_1_error_bound = KSL_MUL(1.1102230246251568e-16, h_1_padded);
+  const double h_2_error_bound = KSL_MUL(1.1102230246251568e-16, h_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 4.440892098500628e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(4.440892098500628e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 4.440892098500628e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(4.440892098500628e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 4.440892098500628e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(4.440892098500628e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 3.3306690738754706e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 3.3306690738754706e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 3.3306690738754706e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_9_padded);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -13970,21 +14554,24 @@ static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3
    30 mul, 42 add, 24 abs. */
 static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   const double co_0b_abs = fabs(co_0b), co_0c_abs = fabs(co_0c), co_0d_size = co_0b_abs + co_0c_abs,
       co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0d_size;
   const double co_1b_abs = fabs(co_1b), co_1c_abs = fabs(co_1c), co_1d_size = co_1b_abs + co_1c_abs,
@@ -14004,17 +14591,17 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
       co_5g_abs = fabs(co_5g), co_5h_size = co_5f_size + co_5g_abs,
       co_5_size = co_5c_size + co_5h_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 4.440892098500628e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(4.440892098500628e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 4.440892098500628e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(4.440892098500628e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 4.440892098500628e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(4.440892098500628e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -14036,29 +14623,29 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
    39 mul, 45 add, 24 abs. */
 static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
     double *energy_bound) {
-  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const double twice_across_0 = 2.0 * across_0;
-  const double twice_across_1 = 2.0 * across_1;
-  const double twice_across_2 = 2.0 * across_2;
-  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
@@ -14066,11 +14653,11 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
   const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const double across_0_padded = across_0_size + 2.004168360008973e-292;
-  const double twice_across_0_size = 2.0 * across_0_padded;
+  const double twice_across_0_size = KSL_MUL(2.0, across_0_padded);
   const double across_1_padded = across_1_size + 2.004168360008973e-292;
-  const double twice_across_1_size = 2.0 * across_1_padded;
+  const double twice_across_1_size = KSL_MUL(2.0, across_1_padded);
   const double across_2_padded = across_2_size + 2.004168360008973e-292;
-  const double twice_across_2_size = 2.0 * across_2_padded;
+  const double twice_across_2_size = KSL_MUL(2.0, across_2_padded);
   const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
   const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
   const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
@@ -14081,25 +14668,25 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
   const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
       L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const double p_0_padded = p_0_size + 2.004168360008973e-292;
-  const double s_0_abs = fabs(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const double s_0_abs = fabs(s->m0), twice_a_size = KSL_MUL(s_0_abs, p_0_padded);
   const double p_1_padded = p_1_size + 2.004168360008973e-292;
-  const double s_1_abs = fabs(s->m1), twice_b_size = s_1_abs * p_1_padded,
+  const double s_1_abs = fabs(s->m1), twice_b_size = KSL_MUL(s_1_abs, p_1_padded),
       twice_c_size = twice_a_size + twice_b_size;
   const double p_2_padded = p_2_size + 2.004168360008973e-292;
-  const double s_2_abs = fabs(s->m2), twice_d_size = s_2_abs * p_2_padded,
+  const double s_2_abs = fabs(s->m2), twice_d_size = KSL_MUL(s_2_abs, p_2_padded),
       twice_e_size = twice_c_size + twice_d_size;
   const double L_0_padded = L_0_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const double s_3_abs = fabs(s->m3), twice_f_size = KSL_MUL(s_3_abs, L_0_padded);
   const double L_1_padded = L_1_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_g_size = s_4_abs * L_1_padded,
+  const double s_4_abs = fabs(s->m4), twice_g_size = KSL_MUL(s_4_abs, L_1_padded),
       twice_h_size = twice_f_size + twice_g_size;
   const double L_2_padded = L_2_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_i_size = s_5_abs * L_2_padded,
+  const double s_5_abs = fabs(s->m5), twice_i_size = KSL_MUL(s_5_abs, L_2_padded),
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const double twice_padded = twice_size + 2.004168360008973e-292;
-  const double energy_size = 0.5 * twice_padded;
+  const double energy_size = KSL_MUL(0.5, twice_padded);
   const double energy_padded = energy_size + 2.004168360008973e-292,
-      energy_error_bound = 9.992007221626415e-16 * energy_padded;
+      energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
 }
@@ -14111,27 +14698,30 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
    42 mul, 54 add, 15 abs. */
 static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = B->h.x + half_0;
   const double n_1 = B->h.y + half_1;
   const double n_2 = B->h.z + half_2;
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -14142,35 +14732,35 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
   const double Bo_8 = B->xz - pairs_4;
   const double Bo_9 = B->yz - pairs_5;
   const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = 0.5 * mt_0_padded;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
   const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = 0.5 * mt_1_padded;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
   const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = 0.5 * mt_2_padded;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
   const double B_1_abs = fabs(B->h.x), n_0_size = B_1_abs + half_0_size;
   const double B_2_abs = fabs(B->h.y), n_1_size = B_2_abs + half_1_size;
   const double B_3_abs = fabs(B->h.z), n_2_size = B_3_abs + half_2_size;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
-  const double t_0_abs = fabs(t->x), tn0_size = t_0_abs * n_0_padded;
+  const double t_0_abs = fabs(t->x), tn0_size = KSL_MUL(t_0_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
-  const double t_1_abs = fabs(t->y), tn1_size = t_1_abs * n_1_padded;
+  const double t_1_abs = fabs(t->y), tn1_size = KSL_MUL(t_1_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
-  const double t_2_abs = fabs(t->z), tn2_size = t_2_abs * n_2_padded;
+  const double t_2_abs = fabs(t->z), tn2_size = KSL_MUL(t_2_abs, n_2_padded);
   const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = 2.0 * tn0_padded;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
   const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = 2.0 * tn1_padded;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
   const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = 2.0 * tn2_padded;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
   const double pairs_0_size = own_1_size + own_2_size;
   const double pairs_1_size = own_0_size + own_2_size;
   const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double pairs_3a_size = KSL_MUL(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const double moved_0_size = B_1_abs + mt_0_abs;
   const double moved_1_size = B_2_abs + mt_1_abs;
   const double moved_2_size = B_3_abs + mt_2_abs;
@@ -14181,23 +14771,23 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
   const double B_8_abs = fabs(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
   const double B_9_abs = fabs(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
   const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = 2.2204460492503136e-16 * moved_0_padded;
+      moved_0_error_bound = KSL_MUL(2.2204460492503136e-16, moved_0_padded);
   const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = 2.2204460492503136e-16 * moved_1_padded;
+      moved_1_error_bound = KSL_MUL(2.2204460492503136e-16, moved_1_padded);
   const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = 2.2204460492503136e-16 * moved_2_padded;
+      moved_2_error_bound = KSL_MUL(2.2204460492503136e-16, moved_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 7.7715611723761e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(7.7715611723761e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 7.7715611723761e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(7.7715611723761e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 7.7715611723761e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(7.7715611723761e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 6.661338147750942e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(6.661338147750942e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 6.661338147750942e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(6.661338147750942e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 6.661338147750942e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(6.661338147750942e-16, Bo_9_padded);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14228,72 +14818,75 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
    114 mul, 135 add, 51 abs. */
 static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = turned_1 + half_0;
   const double n_1 = turned_2 + half_1;
   const double n_2 = turned_3 + half_2;
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -14331,68 +14924,74 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
       turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabs(turned_3d),
       turned_3_size = turned_3c_size + turned_3d_abs;
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const double D_00_abs = fabs(D->m00), turned_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
   const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double D_01_abs = fabs(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+  const double D_01_abs = fabs(D->m01), turned_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
       turned_4c_size = turned_4a_size + turned_4b_size;
   const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double D_02_abs = fabs(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+  const double D_02_abs = fabs(D->m02), turned_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
       turned_4_size = turned_4c_size + turned_4d_size;
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const double D_10_abs = fabs(D->m10), turned_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double D_11_abs = fabs(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+  const double D_11_abs = fabs(D->m11), turned_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
       turned_5c_size = turned_5a_size + turned_5b_size;
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double D_12_abs = fabs(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+  const double D_12_abs = fabs(D->m12), turned_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
       turned_5_size = turned_5c_size + turned_5d_size;
   const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const double D_20_abs = fabs(D->m20), turned_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
   const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double D_21_abs = fabs(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+  const double D_21_abs = fabs(D->m21), turned_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
       turned_6c_size = turned_6a_size + turned_6b_size;
   const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double D_22_abs = fabs(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+  const double D_22_abs = fabs(D->m22), turned_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
       turned_6_size = turned_6c_size + turned_6d_size;
-  const double turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
-      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+  const double turned_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MUL(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MUL(D_12_abs, RI_2_padded),
       turned_7_size = turned_7c_size + turned_7d_size;
-  const double turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
-      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+  const double turned_8a_size = KSL_MUL(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MUL(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MUL(D_22_abs, RI_2_padded),
       turned_8_size = turned_8c_size + turned_8d_size;
-  const double turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
-      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+  const double turned_9a_size = KSL_MUL(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MUL(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MUL(D_22_abs, RI_5_padded),
       turned_9_size = turned_9c_size + turned_9d_size;
   const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = 0.5 * mt_0_padded;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
   const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = 0.5 * mt_1_padded;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
   const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = 0.5 * mt_2_padded;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
   const double n_0_size = turned_1_size + half_0_size;
   const double n_1_size = turned_2_size + half_1_size;
   const double n_2_size = turned_3_size + half_2_size;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
-  const double D_03_abs = fabs(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const double D_03_abs = fabs(D->m03), tn0_size = KSL_MUL(D_03_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const double D_13_abs = fabs(D->m13), tn1_size = KSL_MUL(D_13_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const double D_23_abs = fabs(D->m23), tn2_size = KSL_MUL(D_23_abs, n_2_padded);
   const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = 2.0 * tn0_padded;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
   const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = 2.0 * tn1_padded;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
   const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = 2.0 * tn2_padded;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
   const double pairs_0_size = own_1_size + own_2_size;
   const double pairs_1_size = own_0_size + own_2_size;
   const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double pairs_3a_size = KSL_MUL(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const double moved_0_size = turned_1_size + mt_0_abs;
   const double moved_1_size = turned_2_size + mt_1_abs;
   const double moved_2_size = turned_3_size + mt_2_abs;
@@ -14403,23 +15002,23 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
   const double Bo_8_size = turned_8_size + pairs_4_size;
   const double Bo_9_size = turned_9_size + pairs_5_size;
   const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = 4.440892098500628e-16 * moved_0_padded;
+      moved_0_error_bound = KSL_MUL(4.440892098500628e-16, moved_0_padded);
   const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = 4.440892098500628e-16 * moved_1_padded;
+      moved_1_error_bound = KSL_MUL(4.440892098500628e-16, moved_1_padded);
   const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = 4.440892098500628e-16 * moved_2_padded;
+      moved_2_error_bound = KSL_MUL(4.440892098500628e-16, moved_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 8.881784197001258e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(8.881784197001258e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 8.881784197001258e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(8.881784197001258e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 8.881784197001258e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(8.881784197001258e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 7.7715611723761e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(7.7715611723761e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 7.7715611723761e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(7.7715611723761e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 7.7715611723761e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(7.7715611723761e-16, Bo_9_padded);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14449,46 +15048,46 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
    20 mul, 10 add, 10 abs. */
 static inline void ksl_inertiaf_scale_certified(ksl_inertiaf_t *self, const float a,
     ksl_inertiaf_t *self_bound) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   const float self_6_new_abs = fabsf(self_6_new),
       self_6_new_padded = self_6_new_abs + 1.9721523e-31f,
-      self_6_new_error_bound = 5.960465e-08f * self_6_new_padded;
+      self_6_new_error_bound = KSL_MULF(5.960465e-08f, self_6_new_padded);
   const float self_7_new_abs = fabsf(self_7_new),
       self_7_new_padded = self_7_new_abs + 1.9721523e-31f,
-      self_7_new_error_bound = 5.960465e-08f * self_7_new_padded;
+      self_7_new_error_bound = KSL_MULF(5.960465e-08f, self_7_new_padded);
   const float self_8_new_abs = fabsf(self_8_new),
       self_8_new_padded = self_8_new_abs + 1.9721523e-31f,
-      self_8_new_error_bound = 5.960465e-08f * self_8_new_padded;
+      self_8_new_error_bound = KSL_MULF(5.960465e-08f, self_8_new_padded);
   const float self_9_new_abs = fabsf(self_9_new),
       self_9_new_padded = self_9_new_abs + 1.9721523e-31f,
-      self_9_new_error_bound = 5.960465e-08f * self_9_new_padded;
+      self_9_new_error_bound = KSL_MULF(5.960465e-08f, self_9_new_padded);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -14527,16 +15126,16 @@ static inline void ksl_add_BBf_certified(const ksl_inertiaf_t *B1, const ksl_ine
   const float Bo_7 = B1->xy + B2->xy;
   const float Bo_8 = B1->xz + B2->xz;
   const float Bo_9 = B1->yz + B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -14575,16 +15174,16 @@ static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ks
   const float Bo_7 = B1->xy - B2->xy;
   const float Bo_8 = B1->xz - B2->xz;
   const float Bo_9 = B1->yz - B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -14615,51 +15214,51 @@ static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ks
    24 mul, 27 add, 12 abs. */
 static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   const float h_0_abs = fabsf(h_0), h_0_padded = h_0_abs + 1.9721523e-31f;
-  const float com_0_abs = fabsf(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const float com_0_abs = fabsf(com->x), squares_0_size = KSL_MULF(com_0_abs, h_0_padded);
   const float h_1_abs = fabsf(h_1), h_1_padded = h_1_abs + 1.9721523e-31f;
-  const float com_1_abs = fabsf(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const float com_1_abs = fabsf(com->y), squares_1_size = KSL_MULF(com_1_abs, h_1_padded);
   const float h_2_abs = fabsf(h_2), h_2_padded = h_2_abs + 1.9721523e-31f;
-  const float com_2_abs = fabsf(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const float com_2_abs = fabsf(com->z), squares_2_size = KSL_MULF(com_2_abs, h_2_padded);
   const float Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabsf(Ic->m00),
       Bo_4_size = Ic_00_abs + Bo_4a_size;
   const float Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabsf(Ic->m11),
       Bo_5_size = Ic_11_abs + Bo_5a_size;
   const float Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabsf(Ic->m22),
       Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const float Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabsf(Ic->m01),
+  const float Bo_7a_size = KSL_MULF(com_1_abs, h_0_padded), Ic_01_abs = fabsf(Ic->m01),
       Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const float Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabsf(Ic->m02),
+  const float Bo_8a_size = KSL_MULF(com_2_abs, h_0_padded), Ic_02_abs = fabsf(Ic->m02),
       Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const float Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabsf(Ic->m12),
+  const float Bo_9a_size = KSL_MULF(com_2_abs, h_1_padded), Ic_12_abs = fabsf(Ic->m12),
       Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const float h_0_error_bound = 5.960465e-08f * h_0_padded;
-  const float h_1_error_bound = 5.960465e-08f * h_1_padded;
-  const float h_2_error_bound = 5.960465e-08f * h_2_padded;
+  const float h_0_error_bound = KSL_MULF(5.960465e-08f, h_0_padded);
+  const float h_1_error_bound = KSL_MULF(5.960465e-08f, h_1_padded);
+  const float h_2_error_bound = KSL_MULF(5.960465e-08f, h_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 2.3841864e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(2.3841864e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 2.3841864e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(2.3841864e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 2.3841864e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(2.3841864e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 1.7881396e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(1.7881396e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 1.7881396e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(1.7881396e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 1.7881396e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(1.7881396e-07f, Bo_9_padded);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -14689,21 +15288,24 @@ static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3
    30 mul, 42 add, 24 abs. */
 static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   const float co_0b_abs = fabsf(co_0b), co_0c_abs = fabsf(co_0c),
       co_0d_size = co_0b_abs + co_0c_abs, co_0a_abs = fabsf(co_0a),
       co_0_size = co_0a_abs + co_0d_size;
@@ -14726,17 +15328,17 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
       co_5f_size = co_5d_abs + co_5e_abs, co_5g_abs = fabsf(co_5g),
       co_5h_size = co_5f_size + co_5g_abs, co_5_size = co_5c_size + co_5h_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.3841864e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.3841864e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.3841864e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.3841864e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.3841864e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.3841864e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -14758,29 +15360,29 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
    39 mul, 45 add, 24 abs. */
 static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     float *energy_bound) {
-  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const float twice_across_0 = 2.0f * across_0;
-  const float twice_across_1 = 2.0f * across_1;
-  const float twice_across_2 = 2.0f * across_2;
-  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float twice_across_0 = KSL_MULF(2.0f, across_0);
+  const float twice_across_1 = KSL_MULF(2.0f, across_1);
+  const float twice_across_2 = KSL_MULF(2.0f, across_2);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = KSL_MULF(0.5f, twice);
   const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
@@ -14788,11 +15390,11 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
   const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const float across_0_padded = across_0_size + 1.9721523e-31f;
-  const float twice_across_0_size = 2.0f * across_0_padded;
+  const float twice_across_0_size = KSL_MULF(2.0f, across_0_padded);
   const float across_1_padded = across_1_size + 1.9721523e-31f;
-  const float twice_across_1_size = 2.0f * across_1_padded;
+  const float twice_across_1_size = KSL_MULF(2.0f, across_1_padded);
   const float across_2_padded = across_2_size + 1.9721523e-31f;
-  const float twice_across_2_size = 2.0f * across_2_padded;
+  const float twice_across_2_size = KSL_MULF(2.0f, across_2_padded);
   const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
   const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
   const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
@@ -14803,25 +15405,25 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
   const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
       L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const float p_0_padded = p_0_size + 1.9721523e-31f;
-  const float s_0_abs = fabsf(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const float s_0_abs = fabsf(s->m0), twice_a_size = KSL_MULF(s_0_abs, p_0_padded);
   const float p_1_padded = p_1_size + 1.9721523e-31f;
-  const float s_1_abs = fabsf(s->m1), twice_b_size = s_1_abs * p_1_padded,
+  const float s_1_abs = fabsf(s->m1), twice_b_size = KSL_MULF(s_1_abs, p_1_padded),
       twice_c_size = twice_a_size + twice_b_size;
   const float p_2_padded = p_2_size + 1.9721523e-31f;
-  const float s_2_abs = fabsf(s->m2), twice_d_size = s_2_abs * p_2_padded,
+  const float s_2_abs = fabsf(s->m2), twice_d_size = KSL_MULF(s_2_abs, p_2_padded),
       twice_e_size = twice_c_size + twice_d_size;
   const float L_0_padded = L_0_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const float s_3_abs = fabsf(s->m3), twice_f_size = KSL_MULF(s_3_abs, L_0_padded);
   const float L_1_padded = L_1_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_g_size = s_4_abs * L_1_padded,
+  const float s_4_abs = fabsf(s->m4), twice_g_size = KSL_MULF(s_4_abs, L_1_padded),
       twice_h_size = twice_f_size + twice_g_size;
   const float L_2_padded = L_2_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_i_size = s_5_abs * L_2_padded,
+  const float s_5_abs = fabsf(s->m5), twice_i_size = KSL_MULF(s_5_abs, L_2_padded),
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const float twice_padded = twice_size + 1.9721523e-31f;
-  const float energy_size = 0.5f * twice_padded;
+  const float energy_size = KSL_MULF(0.5f, twice_padded);
   const float energy_padded = energy_size + 1.9721523e-31f,
-      energy_error_bound = 5.36442e-07f * energy_padded;
+      energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
 }
@@ -14833,27 +15435,30 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
    42 mul, 54 add, 15 abs. */
 static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = B->h.x + half_0;
   const float n_1 = B->h.y + half_1;
   const float n_2 = B->h.z + half_2;
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -14864,35 +15469,35 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
   const float Bo_8 = B->xz - pairs_4;
   const float Bo_9 = B->yz - pairs_5;
   const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = 0.5f * mt_0_padded;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
   const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = 0.5f * mt_1_padded;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
   const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = 0.5f * mt_2_padded;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
   const float B_1_abs = fabsf(B->h.x), n_0_size = B_1_abs + half_0_size;
   const float B_2_abs = fabsf(B->h.y), n_1_size = B_2_abs + half_1_size;
   const float B_3_abs = fabsf(B->h.z), n_2_size = B_3_abs + half_2_size;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
-  const float t_0_abs = fabsf(t->x), tn0_size = t_0_abs * n_0_padded;
+  const float t_0_abs = fabsf(t->x), tn0_size = KSL_MULF(t_0_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
-  const float t_1_abs = fabsf(t->y), tn1_size = t_1_abs * n_1_padded;
+  const float t_1_abs = fabsf(t->y), tn1_size = KSL_MULF(t_1_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
-  const float t_2_abs = fabsf(t->z), tn2_size = t_2_abs * n_2_padded;
+  const float t_2_abs = fabsf(t->z), tn2_size = KSL_MULF(t_2_abs, n_2_padded);
   const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = 2.0f * tn0_padded;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
   const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = 2.0f * tn1_padded;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
   const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = 2.0f * tn2_padded;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
   const float pairs_0_size = own_1_size + own_2_size;
   const float pairs_1_size = own_0_size + own_2_size;
   const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float pairs_3a_size = KSL_MULF(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const float moved_0_size = B_1_abs + mt_0_abs;
   const float moved_1_size = B_2_abs + mt_1_abs;
   const float moved_2_size = B_3_abs + mt_2_abs;
@@ -14903,23 +15508,23 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
   const float B_8_abs = fabsf(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
   const float B_9_abs = fabsf(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
   const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = 1.192093e-07f * moved_0_padded;
+      moved_0_error_bound = KSL_MULF(1.192093e-07f, moved_0_padded);
   const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = 1.192093e-07f * moved_1_padded;
+      moved_1_error_bound = KSL_MULF(1.192093e-07f, moved_1_padded);
   const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = 1.192093e-07f * moved_2_padded;
+      moved_2_error_bound = KSL_MULF(1.192093e-07f, moved_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 4.1723263e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(4.1723263e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 4.1723263e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(4.1723263e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 4.1723263e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(4.1723263e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 3.5762795e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(3.5762795e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 3.5762795e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(3.5762795e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 3.5762795e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(3.5762795e-07f, Bo_9_padded);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -14950,72 +15555,75 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
    114 mul, 135 add, 51 abs. */
 static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
     const ksl_inertiaf_t *B, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = turned_1 + half_0;
   const float n_1 = turned_2 + half_1;
   const float n_2 = turned_3 + half_2;
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;
@@ -15062,68 +15670,74 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
       turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabsf(turned_3d),
       turned_3_size = turned_3c_size + turned_3d_abs;
   const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const float D_00_abs = fabsf(D->m00), turned_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
   const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float D_01_abs = fabsf(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+  const float D_01_abs = fabsf(D->m01), turned_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
       turned_4c_size = turned_4a_size + turned_4b_size;
   const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float D_02_abs = fabsf(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+  const float D_02_abs = fabsf(D->m02), turned_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
       turned_4_size = turned_4c_size + turned_4d_size;
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const float D_10_abs = fabsf(D->m10), turned_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float D_11_abs = fabsf(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+  const float D_11_abs = fabsf(D->m11), turned_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
       turned_5c_size = turned_5a_size + turned_5b_size;
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float D_12_abs = fabsf(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+  const float D_12_abs = fabsf(D->m12), turned_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
       turned_5_size = turned_5c_size + turned_5d_size;
   const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const float D_20_abs = fabsf(D->m20), turned_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
   const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float D_21_abs = fabsf(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+  const float D_21_abs = fabsf(D->m21), turned_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
       turned_6c_size = turned_6a_size + turned_6b_size;
   const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float D_22_abs = fabsf(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+  const float D_22_abs = fabsf(D->m22), turned_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
       turned_6_size = turned_6c_size + turned_6d_size;
-  const float turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
-      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+  const float turned_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MULF(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MULF(D_12_abs, RI_2_padded),
       turned_7_size = turned_7c_size + turned_7d_size;
-  const float turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
-      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+  const float turned_8a_size = KSL_MULF(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MULF(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MULF(D_22_abs, RI_2_padded),
       turned_8_size = turned_8c_size + turned_8d_size;
-  const float turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
-      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+  const float turned_9a_size = KSL_MULF(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MULF(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MULF(D_22_abs, RI_5_padded),
       turned_9_size = turned_9c_size + turned_9d_size;
   const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = 0.5f * mt_0_padded;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
   const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = 0.5f * mt_1_padded;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
   const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = 0.5f * mt_2_padded;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
   const float n_0_size = turned_1_size + half_0_size;
   const float n_1_size = turned_2_size + half_1_size;
   const float n_2_size = turned_3_size + half_2_size;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
-  const float D_03_abs = fabsf(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const float D_03_abs = fabsf(D->m03), tn0_size = KSL_MULF(D_03_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const float D_13_abs = fabsf(D->m13), tn1_size = KSL_MULF(D_13_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const float D_23_abs = fabsf(D->m23), tn2_size = KSL_MULF(D_23_abs, n_2_padded);
   const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = 2.0f * tn0_padded;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
   const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = 2.0f * tn1_padded;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
   const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = 2.0f * tn2_padded;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
   const float pairs_0_size = own_1_size + own_2_size;
   const float pairs_1_size = own_0_size + own_2_size;
   const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float pairs_3a_size = KSL_MULF(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const float moved_0_size = turned_1_size + mt_0_abs;
   const float moved_1_size = turned_2_size + mt_1_abs;
   const float moved_2_size = turned_3_size + mt_2_abs;
@@ -15134,23 +15748,23 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
   const float Bo_8_size = turned_8_size + pairs_4_size;
   const float Bo_9_size = turned_9_size + pairs_5_size;
   const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = 2.3841864e-07f * moved_0_padded;
+      moved_0_error_bound = KSL_MULF(2.3841864e-07f, moved_0_padded);
   const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = 2.3841864e-07f * moved_1_padded;
+      moved_1_error_bound = KSL_MULF(2.3841864e-07f, moved_1_padded);
   const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = 2.3841864e-07f * moved_2_padded;
+      moved_2_error_bound = KSL_MULF(2.3841864e-07f, moved_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 4.7683733e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(4.7683733e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 4.7683733e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(4.7683733e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 4.7683733e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(4.7683733e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 4.1723263e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(4.1723263e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 4.1723263e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(4.1723263e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 4.1723263e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(4.1723263e-07f, Bo_9_padded);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;

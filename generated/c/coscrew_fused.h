@@ -4,6 +4,118 @@
 /* All headers of fused kernels in one file, for vendoring; it may be included together with
    them. */
 
+/* What keeps every operation rounded once, in the order written, under every flag that compiles.
+   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+#ifndef KSL_ROUNDING_H
+#define KSL_ROUNDING_H
+
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__NO_SIGNED_ZEROS__)
+#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
+    (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
+#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#endif
+
+/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
+#if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
+    defined(__s390x__) || defined(__powerpc64__) || \
+    (defined(__riscv_flen) && __riscv_flen >= 64) || \
+    (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
+#endif
+#ifndef KSL_HAS_FMAF
+#if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
+#define KSL_HAS_FMAF 1
+#else
+#define KSL_HAS_FMAF 0
+#endif
+#endif
+
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#endif
+
+#ifndef KSL_MUL
+/* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline double ksl_minus_zero(void) {
+  double zero = -0.0;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MUL(a, b) ((a) * (b))
+#endif
+#endif
+
+#ifndef KSL_MULF
+/* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline float ksl_minus_zerof(void) {
+  float zero = -0.0f;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MULF(a, b) ((a) * (b))
+#endif
+#endif
+
+#endif
+
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -12,8 +124,7 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
-   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+   that results are the same bits everywhere, under every flag that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -23,15 +134,6 @@
 #include <math.h>
 #include <string.h>
 
-#if !defined(KSL_ALLOW_FAST_MATH)
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#endif
-#endif
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0
@@ -208,9 +310,9 @@ typedef union ksl_inertiaf_t {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_fused(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -260,9 +362,9 @@ static inline void ksl_nxpy_vv_fused(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_fused(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -300,9 +402,9 @@ static inline void ksl_subtract_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -314,7 +416,7 @@ static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ks
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_c = fma(v1->y, v2->y, dot_a),
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_c = fma(v1->y, v2->y, dot_a),
       dot = fma(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -324,9 +426,9 @@ static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -338,9 +440,9 @@ static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0 = fma(-v1->z, v2->y, vo_0a);
-  const double vo_1a = v1->z * v2->x, vo_1 = fma(-v1->x, v2->z, vo_1a);
-  const double vo_2a = v1->x * v2->y, vo_2 = fma(-v1->y, v2->x, vo_2a);
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0 = fma(-v1->z, v2->y, vo_0a);
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1 = fma(-v1->x, v2->z, vo_1a);
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2 = fma(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -353,9 +455,9 @@ static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
      and underflow. */
 static inline void ksl_cross_vvinv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0 = fma(-v1->y, v2->z, vo_0a);
-  const double vo_1a = v1->x * v2->z, vo_1 = fma(-v1->z, v2->x, vo_1a);
-  const double vo_2a = v1->y * v2->x, vo_2 = fma(-v1->x, v2->y, vo_2a);
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0 = fma(-v1->y, v2->z, vo_0a);
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1 = fma(-v1->z, v2->x, vo_1a);
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2 = fma(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -444,9 +546,9 @@ static inline void ksl_add_vvzinv_fused(const ksl_vec3_t *v, const double k, ksl
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale_fused(ksl_vec3f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -496,9 +598,9 @@ static inline void ksl_nxpy_vvf_fused(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf_fused(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -537,9 +639,9 @@ static inline void ksl_subtract_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -551,7 +653,7 @@ static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = v1->x * v2->x, dot_c = fmaf(v1->y, v2->y, dot_a),
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_c = fmaf(v1->y, v2->y, dot_a),
       dot = fmaf(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -561,9 +663,9 @@ static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -576,9 +678,9 @@ static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->y * v2->z, vo_0 = fmaf(-v1->z, v2->y, vo_0a);
-  const float vo_1a = v1->z * v2->x, vo_1 = fmaf(-v1->x, v2->z, vo_1a);
-  const float vo_2a = v1->x * v2->y, vo_2 = fmaf(-v1->y, v2->x, vo_2a);
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0 = fmaf(-v1->z, v2->y, vo_0a);
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1 = fmaf(-v1->x, v2->z, vo_1a);
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2 = fmaf(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -591,9 +693,9 @@ static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_cross_vvinvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->z * v2->y, vo_0 = fmaf(-v1->y, v2->z, vo_0a);
-  const float vo_1a = v1->x * v2->z, vo_1 = fmaf(-v1->z, v2->x, vo_1a);
-  const float vo_2a = v1->y * v2->x, vo_2 = fmaf(-v1->x, v2->y, vo_2a);
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0 = fmaf(-v1->y, v2->z, vo_0a);
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1 = fmaf(-v1->z, v2->x, vo_1a);
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2 = fmaf(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -691,10 +793,11 @@ static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ks
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0 = fma(-R->m12, R->m21, n_0a);
-  const double n_1a = R->m02 * R->m21, n_1 = fma(-R->m01, R->m22, n_1a);
-  const double n_2a = R->m01 * R->m12, n_2 = fma(-R->m02, R->m11, n_2a);
-  const double det_a = R->m00 * n_0, det_c = fma(R->m10, n_1, det_a), det = fma(R->m20, n_2, det_c);
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0 = fma(-R->m12, R->m21, n_0a);
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1 = fma(-R->m01, R->m22, n_1a);
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2 = fma(-R->m02, R->m11, n_2a);
+  const double det_a = KSL_MUL(R->m00, n_0), det_c = fma(R->m10, n_1, det_a),
+      det = fma(R->m20, n_2, det_c);
   return det;
 }
 
@@ -704,10 +807,10 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0 = fmaf(-R->m12, R->m21, n_0a);
-  const float n_1a = R->m02 * R->m21, n_1 = fmaf(-R->m01, R->m22, n_1a);
-  const float n_2a = R->m01 * R->m12, n_2 = fmaf(-R->m02, R->m11, n_2a);
-  const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0 = fmaf(-R->m12, R->m21, n_0a);
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1 = fmaf(-R->m01, R->m22, n_1a);
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2 = fmaf(-R->m02, R->m11, n_2a);
+  const float det_a = KSL_MULF(R->m00, n_0), det_c = fmaf(R->m10, n_1, det_a),
       det = fmaf(R->m20, n_2, det_c);
   return det;
 }
@@ -726,13 +829,13 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
-  const double self_03_new_a = self->m00 * self->m03,
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
       self_03_new_c = fma(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fma(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const double self_13_new_a = self->m01 * self->m03,
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
       self_13_new_c = fma(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fma(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const double self_23_new_a = self->m02 * self->m03,
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
       self_23_new_c = fma(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fma(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const double self_m10 = self->m10;
@@ -758,11 +861,11 @@ static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * D->m03, Do_03c = fma(D->m10, D->m13, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03c = fma(D->m10, D->m13, Do_03a),
       Do_03e = fma(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = D->m01 * D->m03, Do_13c = fma(D->m11, D->m13, Do_13a),
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13c = fma(D->m11, D->m13, Do_13a),
       Do_13e = fma(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = D->m02 * D->m03, Do_23c = fma(D->m12, D->m13, Do_23a),
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23c = fma(D->m12, D->m13, Do_23a),
       Do_23e = fma(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -793,13 +896,13 @@ static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
-  const float self_03_new_a = self->m00 * self->m03,
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
       self_03_new_c = fmaf(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fmaf(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const float self_13_new_a = self->m01 * self->m03,
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
       self_13_new_c = fmaf(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fmaf(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const float self_23_new_a = self->m02 * self->m03,
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
       self_23_new_c = fmaf(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fmaf(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const float self_m10 = self->m10;
@@ -825,11 +928,11 @@ static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * D->m03, Do_03c = fmaf(D->m10, D->m13, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03c = fmaf(D->m10, D->m13, Do_03a),
       Do_03e = fmaf(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const float Do_13a = D->m01 * D->m03, Do_13c = fmaf(D->m11, D->m13, Do_13a),
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13c = fmaf(D->m11, D->m13, Do_13a),
       Do_13e = fmaf(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const float Do_23a = D->m02 * D->m03, Do_23c = fmaf(D->m12, D->m13, Do_23a),
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23c = fmaf(D->m12, D->m13, Do_23a),
       Do_23e = fmaf(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -869,11 +972,11 @@ static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) 
      and underflow. */
 static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
       vo_0 = fma(R->m02, v->z, vo_0c);
-  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1 = fma(R->m12, v->z, vo_1c);
-  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
       vo_2 = fma(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -887,11 +990,11 @@ static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t
      and underflow. */
 static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
       vo_0e = fma(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1e = fma(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
       vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -905,11 +1008,11 @@ static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
       vo_0 = fma(R->m20, v->z, vo_0c);
-  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1 = fma(R->m21, v->z, vo_1c);
-  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
       vo_2 = fma(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -923,11 +1026,11 @@ static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
       vo_0e = fma(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1e = fma(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
       vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -940,11 +1043,11 @@ static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dv_fused(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = D->m00 * v->x, vo_0c = fma(D->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0c = fma(D->m01, v->y, vo_0a),
       vo_0e = fma(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
-  const double vo_1a = D->m10 * v->x, vo_1c = fma(D->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1c = fma(D->m11, v->y, vo_1a),
       vo_1e = fma(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
-  const double vo_2a = D->m20 * v->x, vo_2c = fma(D->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2c = fma(D->m21, v->y, vo_2a),
       vo_2e = fma(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -961,11 +1064,11 @@ static inline void ksl_product_dinvv_fused(const ksl_SE3_t *D, const ksl_vec3_t 
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
   const double p_2 = v->z - D->m23;
-  const double vo_0a = D->m00 * p_0, vo_0c = fma(D->m10, p_1, vo_0a),
+  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0c = fma(D->m10, p_1, vo_0a),
       vo_0 = fma(D->m20, p_2, vo_0c);
-  const double vo_1a = D->m01 * p_0, vo_1c = fma(D->m11, p_1, vo_1a),
+  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1c = fma(D->m11, p_1, vo_1a),
       vo_1 = fma(D->m21, p_2, vo_1c);
-  const double vo_2a = D->m02 * p_0, vo_2c = fma(D->m12, p_1, vo_2a),
+  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2c = fma(D->m12, p_1, vo_2a),
       vo_2 = fma(D->m22, p_2, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -979,23 +1082,23 @@ static inline void ksl_product_dinvv_fused(const ksl_SE3_t *D, const ksl_vec3_t 
      and underflow. */
 static inline void ksl_product_drdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m10, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m01, R2->m10, Ro_00a),
       Ro_00 = fma(R1->m02, R2->m20, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m02, R2->m21, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m01, R2->m12, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02c = fma(R1->m01, R2->m12, Ro_02a),
       Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fma(R1->m12, R2->m20, Ro_10c);
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m12, R2->m21, Ro_11c);
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m10, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20c = fma(R1->m21, R2->m10, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22c = fma(R1->m21, R2->m12, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22c = fma(R1->m21, R2->m12, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1015,23 +1118,23 @@ static inline void ksl_product_drdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3
      and underflow. */
 static inline void ksl_product_drdrinv_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m01, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m01, R2->m01, Ro_00a),
       Ro_00 = fma(R1->m02, R2->m02, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m02, R2->m12, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02c = fma(R1->m01, R2->m21, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02c = fma(R1->m01, R2->m21, Ro_02a),
       Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m01, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10c = fma(R1->m11, R2->m01, Ro_10a),
       Ro_10 = fma(R1->m12, R2->m02, Ro_10c);
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m12, R2->m12, Ro_11c);
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12c = fma(R1->m11, R2->m21, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12c = fma(R1->m11, R2->m21, Ro_12a),
       Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m01, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20c = fma(R1->m21, R2->m01, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m02, Ro_20c);
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m12, Ro_21c);
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22c = fma(R1->m21, R2->m21, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22c = fma(R1->m21, R2->m21, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1051,23 +1154,23 @@ static inline void ksl_product_drdrinv_fused(const ksl_mat3x3_t *R1, const ksl_m
      and underflow. */
 static inline void ksl_product_drinvdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m10, R2->m10, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m10, R2->m10, Ro_00a),
       Ro_00 = fma(R1->m20, R2->m20, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m10, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01c = fma(R1->m10, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m20, R2->m21, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m10, R2->m12, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02c = fma(R1->m10, R2->m12, Ro_02a),
       Ro_02 = fma(R1->m20, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fma(R1->m21, R2->m20, Ro_10c);
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m21, R2->m21, Ro_11c);
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fma(R1->m21, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20c = fma(R1->m12, R2->m10, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20c = fma(R1->m12, R2->m10, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21c = fma(R1->m12, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21c = fma(R1->m12, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22c = fma(R1->m12, R2->m12, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22c = fma(R1->m12, R2->m12, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1086,29 +1189,29 @@ static inline void ksl_product_drinvdr_fused(const ksl_mat3x3_t *R1, const ksl_m
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m01, D2->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00c = fma(D1->m01, D2->m10, Do_00a),
       Do_00 = fma(D1->m02, D2->m20, Do_00c);
-  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m01, D2->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01c = fma(D1->m01, D2->m11, Do_01a),
       Do_01 = fma(D1->m02, D2->m21, Do_01c);
-  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m01, D2->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02c = fma(D1->m01, D2->m12, Do_02a),
       Do_02 = fma(D1->m02, D2->m22, Do_02c);
-  const double Do_03a = D1->m00 * D2->m03, Do_03c = fma(D1->m01, D2->m13, Do_03a),
+  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03c = fma(D1->m01, D2->m13, Do_03a),
       Do_03e = fma(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10c = fma(D1->m11, D2->m10, Do_10a),
       Do_10 = fma(D1->m12, D2->m20, Do_10c);
-  const double Do_11a = D1->m10 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11c = fma(D1->m11, D2->m11, Do_11a),
       Do_11 = fma(D1->m12, D2->m21, Do_11c);
-  const double Do_12a = D1->m10 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12c = fma(D1->m11, D2->m12, Do_12a),
       Do_12 = fma(D1->m12, D2->m22, Do_12c);
-  const double Do_13a = D1->m10 * D2->m03, Do_13c = fma(D1->m11, D2->m13, Do_13a),
+  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13c = fma(D1->m11, D2->m13, Do_13a),
       Do_13e = fma(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * D2->m00, Do_20c = fma(D1->m21, D2->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20c = fma(D1->m21, D2->m10, Do_20a),
       Do_20 = fma(D1->m22, D2->m20, Do_20c);
-  const double Do_21a = D1->m20 * D2->m01, Do_21c = fma(D1->m21, D2->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21c = fma(D1->m21, D2->m11, Do_21a),
       Do_21 = fma(D1->m22, D2->m21, Do_21c);
-  const double Do_22a = D1->m20 * D2->m02, Do_22c = fma(D1->m21, D2->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22c = fma(D1->m21, D2->m12, Do_22a),
       Do_22 = fma(D1->m22, D2->m22, Do_22c);
-  const double Do_23a = D1->m20 * D2->m03, Do_23c = fma(D1->m21, D2->m13, Do_23a),
+  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23c = fma(D1->m21, D2->m13, Do_23a),
       Do_23e = fma(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -1131,29 +1234,29 @@ static inline void ksl_product_dd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2
      barring over- and underflow. */
 static inline void ksl_product_ddinv_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do) {
-  const double R_0a = D1->m00 * D2->m00, R_0c = fma(D1->m01, D2->m01, R_0a),
+  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0c = fma(D1->m01, D2->m01, R_0a),
       R_0 = fma(D1->m02, D2->m02, R_0c);
-  const double R_1a = D1->m00 * D2->m10, R_1c = fma(D1->m01, D2->m11, R_1a),
+  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1c = fma(D1->m01, D2->m11, R_1a),
       R_1 = fma(D1->m02, D2->m12, R_1c);
-  const double R_2a = D1->m00 * D2->m20, R_2c = fma(D1->m01, D2->m21, R_2a),
+  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2c = fma(D1->m01, D2->m21, R_2a),
       R_2 = fma(D1->m02, D2->m22, R_2c);
-  const double R_3a = D1->m10 * D2->m00, R_3c = fma(D1->m11, D2->m01, R_3a),
+  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3c = fma(D1->m11, D2->m01, R_3a),
       R_3 = fma(D1->m12, D2->m02, R_3c);
-  const double R_4a = D1->m10 * D2->m10, R_4c = fma(D1->m11, D2->m11, R_4a),
+  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4c = fma(D1->m11, D2->m11, R_4a),
       R_4 = fma(D1->m12, D2->m12, R_4c);
-  const double R_5a = D1->m10 * D2->m20, R_5c = fma(D1->m11, D2->m21, R_5a),
+  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5c = fma(D1->m11, D2->m21, R_5a),
       R_5 = fma(D1->m12, D2->m22, R_5c);
-  const double R_6a = D1->m20 * D2->m00, R_6c = fma(D1->m21, D2->m01, R_6a),
+  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6c = fma(D1->m21, D2->m01, R_6a),
       R_6 = fma(D1->m22, D2->m02, R_6c);
-  const double R_7a = D1->m20 * D2->m10, R_7c = fma(D1->m21, D2->m11, R_7a),
+  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7c = fma(D1->m21, D2->m11, R_7a),
       R_7 = fma(D1->m22, D2->m12, R_7c);
-  const double R_8a = D1->m20 * D2->m20, R_8c = fma(D1->m21, D2->m21, R_8a),
+  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8c = fma(D1->m21, D2->m21, R_8a),
       R_8 = fma(D1->m22, D2->m22, R_8c);
-  const double Do_03a = D2->m03 * R_0, Do_03c = fma(D2->m13, R_1, Do_03a),
+  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03c = fma(D2->m13, R_1, Do_03a),
       Do_03e = fma(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = D2->m03 * R_3, Do_13c = fma(D2->m13, R_4, Do_13a),
+  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13c = fma(D2->m13, R_4, Do_13a),
       Do_13e = fma(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = D2->m03 * R_6, Do_23c = fma(D2->m13, R_7, Do_23a),
+  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23c = fma(D2->m13, R_7, Do_23a),
       Do_23e = fma(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
@@ -1179,29 +1282,29 @@ static inline void ksl_product_dinvd_fused(const ksl_SE3_t *D1, const ksl_SE3_t 
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
   const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m10, D2->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00c = fma(D1->m10, D2->m10, Do_00a),
       Do_00 = fma(D1->m20, D2->m20, Do_00c);
-  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m10, D2->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01c = fma(D1->m10, D2->m11, Do_01a),
       Do_01 = fma(D1->m20, D2->m21, Do_01c);
-  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m10, D2->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02c = fma(D1->m10, D2->m12, Do_02a),
       Do_02 = fma(D1->m20, D2->m22, Do_02c);
-  const double Do_03a = D1->m00 * p_0, Do_03c = fma(D1->m10, p_1, Do_03a),
+  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03c = fma(D1->m10, p_1, Do_03a),
       Do_03 = fma(D1->m20, p_2, Do_03c);
-  const double Do_10a = D1->m01 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10c = fma(D1->m11, D2->m10, Do_10a),
       Do_10 = fma(D1->m21, D2->m20, Do_10c);
-  const double Do_11a = D1->m01 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11c = fma(D1->m11, D2->m11, Do_11a),
       Do_11 = fma(D1->m21, D2->m21, Do_11c);
-  const double Do_12a = D1->m01 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12c = fma(D1->m11, D2->m12, Do_12a),
       Do_12 = fma(D1->m21, D2->m22, Do_12c);
-  const double Do_13a = D1->m01 * p_0, Do_13c = fma(D1->m11, p_1, Do_13a),
+  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13c = fma(D1->m11, p_1, Do_13a),
       Do_13 = fma(D1->m21, p_2, Do_13c);
-  const double Do_20a = D1->m02 * D2->m00, Do_20c = fma(D1->m12, D2->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20c = fma(D1->m12, D2->m10, Do_20a),
       Do_20 = fma(D1->m22, D2->m20, Do_20c);
-  const double Do_21a = D1->m02 * D2->m01, Do_21c = fma(D1->m12, D2->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21c = fma(D1->m12, D2->m11, Do_21a),
       Do_21 = fma(D1->m22, D2->m21, Do_21c);
-  const double Do_22a = D1->m02 * D2->m02, Do_22c = fma(D1->m12, D2->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22c = fma(D1->m12, D2->m12, Do_22a),
       Do_22 = fma(D1->m22, D2->m22, Do_22c);
-  const double Do_23a = D1->m02 * p_0, Do_23c = fma(D1->m12, p_1, Do_23a),
+  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23c = fma(D1->m12, p_1, Do_23a),
       Do_23 = fma(D1->m22, p_2, Do_23c);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -1223,23 +1326,23 @@ static inline void ksl_product_dinvd_fused(const ksl_SE3_t *D1, const ksl_SE3_t 
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00c = fma(D->m01, R->m10, Do_00a),
       Do_00 = fma(D->m02, R->m20, Do_00c);
-  const double Do_01a = D->m00 * R->m01, Do_01c = fma(D->m01, R->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01c = fma(D->m01, R->m11, Do_01a),
       Do_01 = fma(D->m02, R->m21, Do_01c);
-  const double Do_02a = D->m00 * R->m02, Do_02c = fma(D->m01, R->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02c = fma(D->m01, R->m12, Do_02a),
       Do_02 = fma(D->m02, R->m22, Do_02c);
-  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10c = fma(D->m11, R->m10, Do_10a),
       Do_10 = fma(D->m12, R->m20, Do_10c);
-  const double Do_11a = D->m10 * R->m01, Do_11c = fma(D->m11, R->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11c = fma(D->m11, R->m11, Do_11a),
       Do_11 = fma(D->m12, R->m21, Do_11c);
-  const double Do_12a = D->m10 * R->m02, Do_12c = fma(D->m11, R->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12c = fma(D->m11, R->m12, Do_12a),
       Do_12 = fma(D->m12, R->m22, Do_12c);
-  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20c = fma(D->m21, R->m10, Do_20a),
       Do_20 = fma(D->m22, R->m20, Do_20c);
-  const double Do_21a = D->m20 * R->m01, Do_21c = fma(D->m21, R->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21c = fma(D->m21, R->m11, Do_21a),
       Do_21 = fma(D->m22, R->m21, Do_21c);
-  const double Do_22a = D->m20 * R->m02, Do_22c = fma(D->m21, R->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22c = fma(D->m21, R->m12, Do_22a),
       Do_22 = fma(D->m22, R->m22, Do_22c);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -1265,23 +1368,23 @@ static inline void ksl_product_ddr_fused(const ksl_SE3_t *D, const ksl_mat3x3_t 
      barring over- and underflow. */
 static inline void ksl_product_ddrinv_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m01, Do_00a),
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00c = fma(D->m01, R->m01, Do_00a),
       Do_00 = fma(D->m02, R->m02, Do_00c);
-  const double Do_01a = D->m00 * R->m10, Do_01c = fma(D->m01, R->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01c = fma(D->m01, R->m11, Do_01a),
       Do_01 = fma(D->m02, R->m12, Do_01c);
-  const double Do_02a = D->m00 * R->m20, Do_02c = fma(D->m01, R->m21, Do_02a),
+  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02c = fma(D->m01, R->m21, Do_02a),
       Do_02 = fma(D->m02, R->m22, Do_02c);
-  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m01, Do_10a),
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10c = fma(D->m11, R->m01, Do_10a),
       Do_10 = fma(D->m12, R->m02, Do_10c);
-  const double Do_11a = D->m10 * R->m10, Do_11c = fma(D->m11, R->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11c = fma(D->m11, R->m11, Do_11a),
       Do_11 = fma(D->m12, R->m12, Do_11c);
-  const double Do_12a = D->m10 * R->m20, Do_12c = fma(D->m11, R->m21, Do_12a),
+  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12c = fma(D->m11, R->m21, Do_12a),
       Do_12 = fma(D->m12, R->m22, Do_12c);
-  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m01, Do_20a),
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20c = fma(D->m21, R->m01, Do_20a),
       Do_20 = fma(D->m22, R->m02, Do_20c);
-  const double Do_21a = D->m20 * R->m10, Do_21c = fma(D->m21, R->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21c = fma(D->m21, R->m11, Do_21a),
       Do_21 = fma(D->m22, R->m12, Do_21c);
-  const double Do_22a = D->m20 * R->m20, Do_22c = fma(D->m21, R->m21, Do_22a),
+  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22c = fma(D->m21, R->m21, Do_22a),
       Do_22 = fma(D->m22, R->m22, Do_22c);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -1306,11 +1409,11 @@ static inline void ksl_product_ddrinv_fused(const ksl_SE3_t *D, const ksl_mat3x3
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03c = fma(D->m01, t->y, Do_03a),
       Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
-  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13c = fma(D->m11, t->y, Do_13a),
       Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
-  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23c = fma(D->m21, t->y, Do_23a),
       Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1342,11 +1445,11 @@ static inline void ksl_product_ddt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t
      barring over- and underflow. */
 static inline void ksl_product_ddtinv_fused(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03c = fma(D->m01, t->y, Do_03a),
       Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
-  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13c = fma(D->m11, t->y, Do_13a),
       Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
-  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23c = fma(D->m21, t->y, Do_23a),
       Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1381,11 +1484,11 @@ static inline void ksl_product_dinvdt_fused(const ksl_SE3_t *D, const ksl_vec3_t
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
   const double p_2 = t->z - D->m23;
-  const double Do_03a = D->m00 * p_0, Do_03c = fma(D->m10, p_1, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03c = fma(D->m10, p_1, Do_03a),
       Do_03 = fma(D->m20, p_2, Do_03c);
-  const double Do_13a = D->m01 * p_0, Do_13c = fma(D->m11, p_1, Do_13a),
+  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13c = fma(D->m11, p_1, Do_13a),
       Do_13 = fma(D->m21, p_2, Do_13c);
-  const double Do_23a = D->m02 * p_0, Do_23c = fma(D->m12, p_1, Do_23a),
+  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23c = fma(D->m12, p_1, Do_23a),
       Do_23 = fma(D->m22, p_2, Do_23c);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -1415,9 +1518,9 @@ static inline void ksl_product_dinvdt_fused(const ksl_SE3_t *D, const ksl_vec3_t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m00 * k;
-  const double vo_1 = R->m10 * k;
-  const double vo_2 = R->m20 * k;
+  const double vo_0 = KSL_MUL(R->m00, k);
+  const double vo_1 = KSL_MUL(R->m10, k);
+  const double vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1430,12 +1533,12 @@ static inline void ksl_product_drvtx_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdrx_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(R->m02, dc[0], Ro_01a);
-  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m01, dc[0], Ro_02a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(R->m12, dc[0], Ro_11a);
-  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m11, dc[0], Ro_12a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(R->m22, dc[0], Ro_21a);
-  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m21, dc[0], Ro_22a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(R->m02, dc[0], Ro_01a);
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02 = fma(-R->m01, dc[0], Ro_02a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(R->m12, dc[0], Ro_11a);
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12 = fma(-R->m11, dc[0], Ro_12a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(R->m22, dc[0], Ro_21a);
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22 = fma(-R->m21, dc[0], Ro_22a);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -1456,12 +1559,12 @@ static inline void ksl_product_drdrx_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(D->m02, dc[0], Do_01a);
-  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m01, dc[0], Do_02a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(D->m12, dc[0], Do_11a);
-  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m11, dc[0], Do_12a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(D->m22, dc[0], Do_21a);
-  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m21, dc[0], Do_22a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(D->m02, dc[0], Do_01a);
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02 = fma(-D->m01, dc[0], Do_02a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(D->m12, dc[0], Do_11a);
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12 = fma(-D->m11, dc[0], Do_12a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(D->m22, dc[0], Do_21a);
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22 = fma(-D->m21, dc[0], Do_22a);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -1519,9 +1622,9 @@ static inline void ksl_product_ddtx_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1534,12 +1637,12 @@ static inline void ksl_product_drvtxinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdrxinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m02, dc[0], Ro_01a);
-  const double Ro_02a = R->m01 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m12, dc[0], Ro_11a);
-  const double Ro_12a = R->m11 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m22, dc[0], Ro_21a);
-  const double Ro_22a = R->m21 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(-R->m02, dc[0], Ro_01a);
+  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(-R->m12, dc[0], Ro_11a);
+  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(-R->m22, dc[0], Ro_21a);
+  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22 = fma(R->m22, dc[1], Ro_22a);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -1561,12 +1664,12 @@ static inline void ksl_product_drdrxinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m02, dc[0], Do_01a);
-  const double Do_02a = D->m01 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m12, dc[0], Do_11a);
-  const double Do_12a = D->m11 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m22, dc[0], Do_21a);
-  const double Do_22a = D->m21 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(-D->m02, dc[0], Do_01a);
+  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(-D->m12, dc[0], Do_11a);
+  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(-D->m22, dc[0], Do_21a);
+  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22 = fma(D->m22, dc[1], Do_22a);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -1623,9 +1726,9 @@ static inline void ksl_product_ddtxinv_fused(const ksl_SE3_t *D, const double k,
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m01 * k;
-  const double vo_1 = R->m11 * k;
-  const double vo_2 = R->m21 * k;
+  const double vo_0 = KSL_MUL(R->m01, k);
+  const double vo_1 = KSL_MUL(R->m11, k);
+  const double vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1638,12 +1741,12 @@ static inline void ksl_product_drvty_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdry_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m02, dc[0], Ro_00a);
-  const double Ro_02a = R->m00 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m12, dc[0], Ro_10a);
-  const double Ro_12a = R->m10 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m22, dc[0], Ro_20a);
-  const double Ro_22a = R->m20 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(-R->m02, dc[0], Ro_00a);
+  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(-R->m12, dc[0], Ro_10a);
+  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(-R->m22, dc[0], Ro_20a);
+  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22 = fma(R->m22, dc[1], Ro_22a);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -1664,12 +1767,12 @@ static inline void ksl_product_drdry_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m02, dc[0], Do_00a);
-  const double Do_02a = D->m00 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m12, dc[0], Do_10a);
-  const double Do_12a = D->m10 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m22, dc[0], Do_20a);
-  const double Do_22a = D->m20 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(-D->m02, dc[0], Do_00a);
+  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(-D->m12, dc[0], Do_10a);
+  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(-D->m22, dc[0], Do_20a);
+  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22 = fma(D->m22, dc[1], Do_22a);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -1727,9 +1830,9 @@ static inline void ksl_product_ddty_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1742,12 +1845,12 @@ static inline void ksl_product_drvtyinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdryinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m02, dc[0], Ro_00a);
-  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m00, dc[0], Ro_02a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m12, dc[0], Ro_10a);
-  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m10, dc[0], Ro_12a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m22, dc[0], Ro_20a);
-  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m20, dc[0], Ro_22a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(R->m02, dc[0], Ro_00a);
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02 = fma(-R->m00, dc[0], Ro_02a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(R->m12, dc[0], Ro_10a);
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12 = fma(-R->m10, dc[0], Ro_12a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(R->m22, dc[0], Ro_20a);
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22 = fma(-R->m20, dc[0], Ro_22a);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -1769,12 +1872,12 @@ static inline void ksl_product_drdryinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddryinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m02, dc[0], Do_00a);
-  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m00, dc[0], Do_02a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m12, dc[0], Do_10a);
-  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m10, dc[0], Do_12a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m22, dc[0], Do_20a);
-  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m20, dc[0], Do_22a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(D->m02, dc[0], Do_00a);
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02 = fma(-D->m00, dc[0], Do_02a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(D->m12, dc[0], Do_10a);
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12 = fma(-D->m10, dc[0], Do_12a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(D->m22, dc[0], Do_20a);
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22 = fma(-D->m20, dc[0], Do_22a);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -1831,9 +1934,9 @@ static inline void ksl_product_ddtyinv_fused(const ksl_SE3_t *D, const double k,
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m02 * k;
-  const double vo_1 = R->m12 * k;
-  const double vo_2 = R->m22 * k;
+  const double vo_0 = KSL_MUL(R->m02, k);
+  const double vo_1 = KSL_MUL(R->m12, k);
+  const double vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1846,12 +1949,12 @@ static inline void ksl_product_drvtz_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdrz_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m01, dc[0], Ro_00a);
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m00, dc[0], Ro_01a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m11, dc[0], Ro_10a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m10, dc[0], Ro_11a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m21, dc[0], Ro_20a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m20, dc[0], Ro_21a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(R->m01, dc[0], Ro_00a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(-R->m00, dc[0], Ro_01a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(R->m11, dc[0], Ro_10a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(-R->m10, dc[0], Ro_11a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(R->m21, dc[0], Ro_20a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(-R->m20, dc[0], Ro_21a);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1872,12 +1975,12 @@ static inline void ksl_product_drdrz_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m01, dc[0], Do_00a);
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m00, dc[0], Do_01a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m11, dc[0], Do_10a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m10, dc[0], Do_11a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m21, dc[0], Do_20a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m20, dc[0], Do_21a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(D->m01, dc[0], Do_00a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(-D->m00, dc[0], Do_01a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(D->m11, dc[0], Do_10a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(-D->m10, dc[0], Do_11a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(D->m21, dc[0], Do_20a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(-D->m20, dc[0], Do_21a);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1935,9 +2038,9 @@ static inline void ksl_product_ddtz_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1950,12 +2053,12 @@ static inline void ksl_product_drvtzinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdrzinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m01, dc[0], Ro_00a);
-  const double Ro_01a = R->m00 * dc[0], Ro_01 = fma(R->m01, dc[1], Ro_01a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m11, dc[0], Ro_10a);
-  const double Ro_11a = R->m10 * dc[0], Ro_11 = fma(R->m11, dc[1], Ro_11a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m21, dc[0], Ro_20a);
-  const double Ro_21a = R->m20 * dc[0], Ro_21 = fma(R->m21, dc[1], Ro_21a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(-R->m01, dc[0], Ro_00a);
+  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01 = fma(R->m01, dc[1], Ro_01a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(-R->m11, dc[0], Ro_10a);
+  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11 = fma(R->m11, dc[1], Ro_11a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(-R->m21, dc[0], Ro_20a);
+  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21 = fma(R->m21, dc[1], Ro_21a);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1977,12 +2080,12 @@ static inline void ksl_product_drdrzinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m01, dc[0], Do_00a);
-  const double Do_01a = D->m00 * dc[0], Do_01 = fma(D->m01, dc[1], Do_01a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m11, dc[0], Do_10a);
-  const double Do_11a = D->m10 * dc[0], Do_11 = fma(D->m11, dc[1], Do_11a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m21, dc[0], Do_20a);
-  const double Do_21a = D->m20 * dc[0], Do_21 = fma(D->m21, dc[1], Do_21a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(-D->m01, dc[0], Do_00a);
+  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01 = fma(D->m01, dc[1], Do_01a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(-D->m11, dc[0], Do_10a);
+  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11 = fma(D->m11, dc[1], Do_11a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(-D->m21, dc[0], Do_20a);
+  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21 = fma(D->m21, dc[1], Do_21a);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -2041,11 +2144,11 @@ static inline void ksl_product_ddtzinv_fused(const ksl_SE3_t *D, const double k,
      and underflow. */
 static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
       vo_0 = fmaf(R->m02, v->z, vo_0c);
-  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1 = fmaf(R->m12, v->z, vo_1c);
-  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
       vo_2 = fmaf(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2059,11 +2162,11 @@ static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3
      and underflow. */
 static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
       vo_0e = fmaf(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1e = fmaf(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
       vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2077,11 +2180,11 @@ static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
       vo_0 = fmaf(R->m20, v->z, vo_0c);
-  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1 = fmaf(R->m21, v->z, vo_1c);
-  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
       vo_2 = fmaf(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2095,11 +2198,11 @@ static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
       vo_0e = fmaf(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1e = fmaf(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
       vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2113,11 +2216,11 @@ static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_dvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = D->m00 * v->x, vo_0c = fmaf(D->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0c = fmaf(D->m01, v->y, vo_0a),
       vo_0e = fmaf(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
-  const float vo_1a = D->m10 * v->x, vo_1c = fmaf(D->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1c = fmaf(D->m11, v->y, vo_1a),
       vo_1e = fmaf(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
-  const float vo_2a = D->m20 * v->x, vo_2c = fmaf(D->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2c = fmaf(D->m21, v->y, vo_2a),
       vo_2e = fmaf(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2134,11 +2237,11 @@ static inline void ksl_product_dinvvf_fused(const ksl_SE3f_t *D, const ksl_vec3f
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
   const float p_2 = v->z - D->m23;
-  const float vo_0a = D->m00 * p_0, vo_0c = fmaf(D->m10, p_1, vo_0a),
+  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0c = fmaf(D->m10, p_1, vo_0a),
       vo_0 = fmaf(D->m20, p_2, vo_0c);
-  const float vo_1a = D->m01 * p_0, vo_1c = fmaf(D->m11, p_1, vo_1a),
+  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1c = fmaf(D->m11, p_1, vo_1a),
       vo_1 = fmaf(D->m21, p_2, vo_1c);
-  const float vo_2a = D->m02 * p_0, vo_2c = fmaf(D->m12, p_1, vo_2a),
+  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2c = fmaf(D->m12, p_1, vo_2a),
       vo_2 = fmaf(D->m22, p_2, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2152,23 +2255,23 @@ static inline void ksl_product_dinvvf_fused(const ksl_SE3f_t *D, const ksl_vec3f
      and underflow. */
 static inline void ksl_product_drdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m10, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m01, R2->m10, Ro_00a),
       Ro_00 = fmaf(R1->m02, R2->m20, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m02, R2->m21, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m01, R2->m12, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02c = fmaf(R1->m01, R2->m12, Ro_02a),
       Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fmaf(R1->m12, R2->m20, Ro_10c);
-  const float Ro_11a = R1->m10 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m12, R2->m21, Ro_11c);
-  const float Ro_12a = R1->m10 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m10, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20c = fmaf(R1->m21, R2->m10, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
-  const float Ro_21a = R1->m20 * R2->m01, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
-  const float Ro_22a = R1->m20 * R2->m02, Ro_22c = fmaf(R1->m21, R2->m12, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22c = fmaf(R1->m21, R2->m12, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2188,23 +2291,23 @@ static inline void ksl_product_drdrf_fused(const ksl_mat3x3f_t *R1, const ksl_ma
      and underflow. */
 static inline void ksl_product_drdrinvf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m01, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m01, R2->m01, Ro_00a),
       Ro_00 = fmaf(R1->m02, R2->m02, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m10, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m02, R2->m12, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m20, Ro_02c = fmaf(R1->m01, R2->m21, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02c = fmaf(R1->m01, R2->m21, Ro_02a),
       Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m01, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10c = fmaf(R1->m11, R2->m01, Ro_10a),
       Ro_10 = fmaf(R1->m12, R2->m02, Ro_10c);
-  const float Ro_11a = R1->m10 * R2->m10, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m12, R2->m12, Ro_11c);
-  const float Ro_12a = R1->m10 * R2->m20, Ro_12c = fmaf(R1->m11, R2->m21, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12c = fmaf(R1->m11, R2->m21, Ro_12a),
       Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m01, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20c = fmaf(R1->m21, R2->m01, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m02, Ro_20c);
-  const float Ro_21a = R1->m20 * R2->m10, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m12, Ro_21c);
-  const float Ro_22a = R1->m20 * R2->m20, Ro_22c = fmaf(R1->m21, R2->m21, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22c = fmaf(R1->m21, R2->m21, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2224,23 +2327,23 @@ static inline void ksl_product_drdrinvf_fused(const ksl_mat3x3f_t *R1, const ksl
      and underflow. */
 static inline void ksl_product_drinvdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m10, R2->m10, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m10, R2->m10, Ro_00a),
       Ro_00 = fmaf(R1->m20, R2->m20, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m10, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01c = fmaf(R1->m10, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m20, R2->m21, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m10, R2->m12, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02c = fmaf(R1->m10, R2->m12, Ro_02a),
       Ro_02 = fmaf(R1->m20, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m01 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fmaf(R1->m21, R2->m20, Ro_10c);
-  const float Ro_11a = R1->m01 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m21, R2->m21, Ro_11c);
-  const float Ro_12a = R1->m01 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fmaf(R1->m21, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m02 * R2->m00, Ro_20c = fmaf(R1->m12, R2->m10, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20c = fmaf(R1->m12, R2->m10, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
-  const float Ro_21a = R1->m02 * R2->m01, Ro_21c = fmaf(R1->m12, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21c = fmaf(R1->m12, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
-  const float Ro_22a = R1->m02 * R2->m02, Ro_22c = fmaf(R1->m12, R2->m12, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22c = fmaf(R1->m12, R2->m12, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2260,29 +2363,29 @@ static inline void ksl_product_drinvdrf_fused(const ksl_mat3x3f_t *R1, const ksl
      barring over- and underflow. */
 static inline void ksl_product_ddf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m01, D2->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00c = fmaf(D1->m01, D2->m10, Do_00a),
       Do_00 = fmaf(D1->m02, D2->m20, Do_00c);
-  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m01, D2->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01c = fmaf(D1->m01, D2->m11, Do_01a),
       Do_01 = fmaf(D1->m02, D2->m21, Do_01c);
-  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m01, D2->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02c = fmaf(D1->m01, D2->m12, Do_02a),
       Do_02 = fmaf(D1->m02, D2->m22, Do_02c);
-  const float Do_03a = D1->m00 * D2->m03, Do_03c = fmaf(D1->m01, D2->m13, Do_03a),
+  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03c = fmaf(D1->m01, D2->m13, Do_03a),
       Do_03e = fmaf(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
       Do_10 = fmaf(D1->m12, D2->m20, Do_10c);
-  const float Do_11a = D1->m10 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
       Do_11 = fmaf(D1->m12, D2->m21, Do_11c);
-  const float Do_12a = D1->m10 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
       Do_12 = fmaf(D1->m12, D2->m22, Do_12c);
-  const float Do_13a = D1->m10 * D2->m03, Do_13c = fmaf(D1->m11, D2->m13, Do_13a),
+  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13c = fmaf(D1->m11, D2->m13, Do_13a),
       Do_13e = fmaf(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * D2->m00, Do_20c = fmaf(D1->m21, D2->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20c = fmaf(D1->m21, D2->m10, Do_20a),
       Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
-  const float Do_21a = D1->m20 * D2->m01, Do_21c = fmaf(D1->m21, D2->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21c = fmaf(D1->m21, D2->m11, Do_21a),
       Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
-  const float Do_22a = D1->m20 * D2->m02, Do_22c = fmaf(D1->m21, D2->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22c = fmaf(D1->m21, D2->m12, Do_22a),
       Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
-  const float Do_23a = D1->m20 * D2->m03, Do_23c = fmaf(D1->m21, D2->m13, Do_23a),
+  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23c = fmaf(D1->m21, D2->m13, Do_23a),
       Do_23e = fmaf(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -2305,29 +2408,29 @@ static inline void ksl_product_ddf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t 
      barring over- and underflow. */
 static inline void ksl_product_ddinvf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const float R_0a = D1->m00 * D2->m00, R_0c = fmaf(D1->m01, D2->m01, R_0a),
+  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0c = fmaf(D1->m01, D2->m01, R_0a),
       R_0 = fmaf(D1->m02, D2->m02, R_0c);
-  const float R_1a = D1->m00 * D2->m10, R_1c = fmaf(D1->m01, D2->m11, R_1a),
+  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1c = fmaf(D1->m01, D2->m11, R_1a),
       R_1 = fmaf(D1->m02, D2->m12, R_1c);
-  const float R_2a = D1->m00 * D2->m20, R_2c = fmaf(D1->m01, D2->m21, R_2a),
+  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2c = fmaf(D1->m01, D2->m21, R_2a),
       R_2 = fmaf(D1->m02, D2->m22, R_2c);
-  const float R_3a = D1->m10 * D2->m00, R_3c = fmaf(D1->m11, D2->m01, R_3a),
+  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3c = fmaf(D1->m11, D2->m01, R_3a),
       R_3 = fmaf(D1->m12, D2->m02, R_3c);
-  const float R_4a = D1->m10 * D2->m10, R_4c = fmaf(D1->m11, D2->m11, R_4a),
+  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4c = fmaf(D1->m11, D2->m11, R_4a),
       R_4 = fmaf(D1->m12, D2->m12, R_4c);
-  const float R_5a = D1->m10 * D2->m20, R_5c = fmaf(D1->m11, D2->m21, R_5a),
+  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5c = fmaf(D1->m11, D2->m21, R_5a),
       R_5 = fmaf(D1->m12, D2->m22, R_5c);
-  const float R_6a = D1->m20 * D2->m00, R_6c = fmaf(D1->m21, D2->m01, R_6a),
+  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6c = fmaf(D1->m21, D2->m01, R_6a),
       R_6 = fmaf(D1->m22, D2->m02, R_6c);
-  const float R_7a = D1->m20 * D2->m10, R_7c = fmaf(D1->m21, D2->m11, R_7a),
+  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7c = fmaf(D1->m21, D2->m11, R_7a),
       R_7 = fmaf(D1->m22, D2->m12, R_7c);
-  const float R_8a = D1->m20 * D2->m20, R_8c = fmaf(D1->m21, D2->m21, R_8a),
+  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8c = fmaf(D1->m21, D2->m21, R_8a),
       R_8 = fmaf(D1->m22, D2->m22, R_8c);
-  const float Do_03a = D2->m03 * R_0, Do_03c = fmaf(D2->m13, R_1, Do_03a),
+  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03c = fmaf(D2->m13, R_1, Do_03a),
       Do_03e = fmaf(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = D2->m03 * R_3, Do_13c = fmaf(D2->m13, R_4, Do_13a),
+  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13c = fmaf(D2->m13, R_4, Do_13a),
       Do_13e = fmaf(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = D2->m03 * R_6, Do_23c = fmaf(D2->m13, R_7, Do_23a),
+  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23c = fmaf(D2->m13, R_7, Do_23a),
       Do_23e = fmaf(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
@@ -2353,29 +2456,29 @@ static inline void ksl_product_dinvdf_fused(const ksl_SE3f_t *D1, const ksl_SE3f
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
   const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m10, D2->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00c = fmaf(D1->m10, D2->m10, Do_00a),
       Do_00 = fmaf(D1->m20, D2->m20, Do_00c);
-  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m10, D2->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01c = fmaf(D1->m10, D2->m11, Do_01a),
       Do_01 = fmaf(D1->m20, D2->m21, Do_01c);
-  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m10, D2->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02c = fmaf(D1->m10, D2->m12, Do_02a),
       Do_02 = fmaf(D1->m20, D2->m22, Do_02c);
-  const float Do_03a = D1->m00 * p_0, Do_03c = fmaf(D1->m10, p_1, Do_03a),
+  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03c = fmaf(D1->m10, p_1, Do_03a),
       Do_03 = fmaf(D1->m20, p_2, Do_03c);
-  const float Do_10a = D1->m01 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
       Do_10 = fmaf(D1->m21, D2->m20, Do_10c);
-  const float Do_11a = D1->m01 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
       Do_11 = fmaf(D1->m21, D2->m21, Do_11c);
-  const float Do_12a = D1->m01 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
       Do_12 = fmaf(D1->m21, D2->m22, Do_12c);
-  const float Do_13a = D1->m01 * p_0, Do_13c = fmaf(D1->m11, p_1, Do_13a),
+  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13c = fmaf(D1->m11, p_1, Do_13a),
       Do_13 = fmaf(D1->m21, p_2, Do_13c);
-  const float Do_20a = D1->m02 * D2->m00, Do_20c = fmaf(D1->m12, D2->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20c = fmaf(D1->m12, D2->m10, Do_20a),
       Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
-  const float Do_21a = D1->m02 * D2->m01, Do_21c = fmaf(D1->m12, D2->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21c = fmaf(D1->m12, D2->m11, Do_21a),
       Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
-  const float Do_22a = D1->m02 * D2->m02, Do_22c = fmaf(D1->m12, D2->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22c = fmaf(D1->m12, D2->m12, Do_22a),
       Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
-  const float Do_23a = D1->m02 * p_0, Do_23c = fmaf(D1->m12, p_1, Do_23a),
+  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23c = fmaf(D1->m12, p_1, Do_23a),
       Do_23 = fmaf(D1->m22, p_2, Do_23c);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -2398,23 +2501,23 @@ static inline void ksl_product_dinvdf_fused(const ksl_SE3f_t *D1, const ksl_SE3f
      barring over- and underflow. */
 static inline void ksl_product_ddrf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00c = fmaf(D->m01, R->m10, Do_00a),
       Do_00 = fmaf(D->m02, R->m20, Do_00c);
-  const float Do_01a = D->m00 * R->m01, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01c = fmaf(D->m01, R->m11, Do_01a),
       Do_01 = fmaf(D->m02, R->m21, Do_01c);
-  const float Do_02a = D->m00 * R->m02, Do_02c = fmaf(D->m01, R->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02c = fmaf(D->m01, R->m12, Do_02a),
       Do_02 = fmaf(D->m02, R->m22, Do_02c);
-  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10c = fmaf(D->m11, R->m10, Do_10a),
       Do_10 = fmaf(D->m12, R->m20, Do_10c);
-  const float Do_11a = D->m10 * R->m01, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11c = fmaf(D->m11, R->m11, Do_11a),
       Do_11 = fmaf(D->m12, R->m21, Do_11c);
-  const float Do_12a = D->m10 * R->m02, Do_12c = fmaf(D->m11, R->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12c = fmaf(D->m11, R->m12, Do_12a),
       Do_12 = fmaf(D->m12, R->m22, Do_12c);
-  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20c = fmaf(D->m21, R->m10, Do_20a),
       Do_20 = fmaf(D->m22, R->m20, Do_20c);
-  const float Do_21a = D->m20 * R->m01, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21c = fmaf(D->m21, R->m11, Do_21a),
       Do_21 = fmaf(D->m22, R->m21, Do_21c);
-  const float Do_22a = D->m20 * R->m02, Do_22c = fmaf(D->m21, R->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22c = fmaf(D->m21, R->m12, Do_22a),
       Do_22 = fmaf(D->m22, R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -2440,23 +2543,23 @@ static inline void ksl_product_ddrf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m01, Do_00a),
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00c = fmaf(D->m01, R->m01, Do_00a),
       Do_00 = fmaf(D->m02, R->m02, Do_00c);
-  const float Do_01a = D->m00 * R->m10, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01c = fmaf(D->m01, R->m11, Do_01a),
       Do_01 = fmaf(D->m02, R->m12, Do_01c);
-  const float Do_02a = D->m00 * R->m20, Do_02c = fmaf(D->m01, R->m21, Do_02a),
+  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02c = fmaf(D->m01, R->m21, Do_02a),
       Do_02 = fmaf(D->m02, R->m22, Do_02c);
-  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m01, Do_10a),
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10c = fmaf(D->m11, R->m01, Do_10a),
       Do_10 = fmaf(D->m12, R->m02, Do_10c);
-  const float Do_11a = D->m10 * R->m10, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11c = fmaf(D->m11, R->m11, Do_11a),
       Do_11 = fmaf(D->m12, R->m12, Do_11c);
-  const float Do_12a = D->m10 * R->m20, Do_12c = fmaf(D->m11, R->m21, Do_12a),
+  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12c = fmaf(D->m11, R->m21, Do_12a),
       Do_12 = fmaf(D->m12, R->m22, Do_12c);
-  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m01, Do_20a),
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20c = fmaf(D->m21, R->m01, Do_20a),
       Do_20 = fmaf(D->m22, R->m02, Do_20c);
-  const float Do_21a = D->m20 * R->m10, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21c = fmaf(D->m21, R->m11, Do_21a),
       Do_21 = fmaf(D->m22, R->m12, Do_21c);
-  const float Do_22a = D->m20 * R->m20, Do_22c = fmaf(D->m21, R->m21, Do_22a),
+  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22c = fmaf(D->m21, R->m21, Do_22a),
       Do_22 = fmaf(D->m22, R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -2482,11 +2585,11 @@ static inline void ksl_product_ddrinvf_fused(const ksl_SE3f_t *D, const ksl_mat3
      barring over- and underflow. */
 static inline void ksl_product_ddtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03c = fmaf(D->m01, t->y, Do_03a),
       Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
-  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13c = fmaf(D->m11, t->y, Do_13a),
       Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
-  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23c = fmaf(D->m21, t->y, Do_23a),
       Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -2518,11 +2621,11 @@ static inline void ksl_product_ddtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03c = fmaf(D->m01, t->y, Do_03a),
       Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
-  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13c = fmaf(D->m11, t->y, Do_13a),
       Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
-  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23c = fmaf(D->m21, t->y, Do_23a),
       Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -2557,11 +2660,11 @@ static inline void ksl_product_dinvdtf_fused(const ksl_SE3f_t *D, const ksl_vec3
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
   const float p_2 = t->z - D->m23;
-  const float Do_03a = D->m00 * p_0, Do_03c = fmaf(D->m10, p_1, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03c = fmaf(D->m10, p_1, Do_03a),
       Do_03 = fmaf(D->m20, p_2, Do_03c);
-  const float Do_13a = D->m01 * p_0, Do_13c = fmaf(D->m11, p_1, Do_13a),
+  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13c = fmaf(D->m11, p_1, Do_13a),
       Do_13 = fmaf(D->m21, p_2, Do_13c);
-  const float Do_23a = D->m02 * p_0, Do_23c = fmaf(D->m12, p_1, Do_23a),
+  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23c = fmaf(D->m12, p_1, Do_23a),
       Do_23 = fmaf(D->m22, p_2, Do_23c);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -2592,9 +2695,9 @@ static inline void ksl_product_dinvdtf_fused(const ksl_SE3f_t *D, const ksl_vec3
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m00 * k;
-  const float vo_1 = R->m10 * k;
-  const float vo_2 = R->m20 * k;
+  const float vo_0 = KSL_MULF(R->m00, k);
+  const float vo_1 = KSL_MULF(R->m10, k);
+  const float vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2607,12 +2710,12 @@ static inline void ksl_product_drvtxf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdrxf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(R->m02, dc[0], Ro_01a);
-  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m01, dc[0], Ro_02a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(R->m12, dc[0], Ro_11a);
-  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m11, dc[0], Ro_12a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(R->m22, dc[0], Ro_21a);
-  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m21, dc[0], Ro_22a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(R->m02, dc[0], Ro_01a);
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02 = fmaf(-R->m01, dc[0], Ro_02a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(R->m12, dc[0], Ro_11a);
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12 = fmaf(-R->m11, dc[0], Ro_12a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(R->m22, dc[0], Ro_21a);
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22 = fmaf(-R->m21, dc[0], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2633,12 +2736,12 @@ static inline void ksl_product_drdrxf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(D->m02, dc[0], Do_01a);
-  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m01, dc[0], Do_02a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(D->m12, dc[0], Do_11a);
-  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m11, dc[0], Do_12a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(D->m22, dc[0], Do_21a);
-  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m21, dc[0], Do_22a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(D->m02, dc[0], Do_01a);
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02 = fmaf(-D->m01, dc[0], Do_02a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(D->m12, dc[0], Do_11a);
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12 = fmaf(-D->m11, dc[0], Do_12a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(D->m22, dc[0], Do_21a);
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22 = fmaf(-D->m21, dc[0], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -2696,9 +2799,9 @@ static inline void ksl_product_ddtxf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2711,12 +2814,12 @@ static inline void ksl_product_drvtxinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdrxinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m02, dc[0], Ro_01a);
-  const float Ro_02a = R->m01 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m12, dc[0], Ro_11a);
-  const float Ro_12a = R->m11 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m22, dc[0], Ro_21a);
-  const float Ro_22a = R->m21 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(-R->m02, dc[0], Ro_01a);
+  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(-R->m12, dc[0], Ro_11a);
+  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(-R->m22, dc[0], Ro_21a);
+  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2738,12 +2841,12 @@ static inline void ksl_product_drdrxinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m02, dc[0], Do_01a);
-  const float Do_02a = D->m01 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m12, dc[0], Do_11a);
-  const float Do_12a = D->m11 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m22, dc[0], Do_21a);
-  const float Do_22a = D->m21 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(-D->m02, dc[0], Do_01a);
+  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(-D->m12, dc[0], Do_11a);
+  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(-D->m22, dc[0], Do_21a);
+  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22 = fmaf(D->m22, dc[1], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -2801,9 +2904,9 @@ static inline void ksl_product_ddtxinvf_fused(const ksl_SE3f_t *D, const float k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m01 * k;
-  const float vo_1 = R->m11 * k;
-  const float vo_2 = R->m21 * k;
+  const float vo_0 = KSL_MULF(R->m01, k);
+  const float vo_1 = KSL_MULF(R->m11, k);
+  const float vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2816,12 +2919,12 @@ static inline void ksl_product_drvtyf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdryf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m02, dc[0], Ro_00a);
-  const float Ro_02a = R->m00 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m12, dc[0], Ro_10a);
-  const float Ro_12a = R->m10 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m22, dc[0], Ro_20a);
-  const float Ro_22a = R->m20 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(-R->m02, dc[0], Ro_00a);
+  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(-R->m12, dc[0], Ro_10a);
+  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(-R->m22, dc[0], Ro_20a);
+  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2842,12 +2945,12 @@ static inline void ksl_product_drdryf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m02, dc[0], Do_00a);
-  const float Do_02a = D->m00 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m12, dc[0], Do_10a);
-  const float Do_12a = D->m10 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m22, dc[0], Do_20a);
-  const float Do_22a = D->m20 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(-D->m02, dc[0], Do_00a);
+  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(-D->m12, dc[0], Do_10a);
+  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(-D->m22, dc[0], Do_20a);
+  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22 = fmaf(D->m22, dc[1], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -2905,9 +3008,9 @@ static inline void ksl_product_ddtyf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2920,12 +3023,12 @@ static inline void ksl_product_drvtyinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdryinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m02, dc[0], Ro_00a);
-  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m00, dc[0], Ro_02a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m12, dc[0], Ro_10a);
-  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m10, dc[0], Ro_12a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m22, dc[0], Ro_20a);
-  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m20, dc[0], Ro_22a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(R->m02, dc[0], Ro_00a);
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02 = fmaf(-R->m00, dc[0], Ro_02a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(R->m12, dc[0], Ro_10a);
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12 = fmaf(-R->m10, dc[0], Ro_12a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(R->m22, dc[0], Ro_20a);
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22 = fmaf(-R->m20, dc[0], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2947,12 +3050,12 @@ static inline void ksl_product_drdryinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m02, dc[0], Do_00a);
-  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m00, dc[0], Do_02a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m12, dc[0], Do_10a);
-  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m10, dc[0], Do_12a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m22, dc[0], Do_20a);
-  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m20, dc[0], Do_22a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(D->m02, dc[0], Do_00a);
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02 = fmaf(-D->m00, dc[0], Do_02a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(D->m12, dc[0], Do_10a);
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12 = fmaf(-D->m10, dc[0], Do_12a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(D->m22, dc[0], Do_20a);
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22 = fmaf(-D->m20, dc[0], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3010,9 +3113,9 @@ static inline void ksl_product_ddtyinvf_fused(const ksl_SE3f_t *D, const float k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m02 * k;
-  const float vo_1 = R->m12 * k;
-  const float vo_2 = R->m22 * k;
+  const float vo_0 = KSL_MULF(R->m02, k);
+  const float vo_1 = KSL_MULF(R->m12, k);
+  const float vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3025,12 +3128,12 @@ static inline void ksl_product_drvtzf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdrzf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m01, dc[0], Ro_00a);
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m00, dc[0], Ro_01a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m11, dc[0], Ro_10a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m10, dc[0], Ro_11a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m21, dc[0], Ro_20a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m20, dc[0], Ro_21a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(R->m01, dc[0], Ro_00a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(-R->m00, dc[0], Ro_01a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(R->m11, dc[0], Ro_10a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(-R->m10, dc[0], Ro_11a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(R->m21, dc[0], Ro_20a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(-R->m20, dc[0], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3051,12 +3154,12 @@ static inline void ksl_product_drdrzf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m01, dc[0], Do_00a);
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m00, dc[0], Do_01a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m11, dc[0], Do_10a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m10, dc[0], Do_11a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m21, dc[0], Do_20a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m20, dc[0], Do_21a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(D->m01, dc[0], Do_00a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(-D->m00, dc[0], Do_01a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(D->m11, dc[0], Do_10a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(-D->m10, dc[0], Do_11a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(D->m21, dc[0], Do_20a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(-D->m20, dc[0], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3114,9 +3217,9 @@ static inline void ksl_product_ddtzf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3129,12 +3232,12 @@ static inline void ksl_product_drvtzinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdrzinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m01, dc[0], Ro_00a);
-  const float Ro_01a = R->m00 * dc[0], Ro_01 = fmaf(R->m01, dc[1], Ro_01a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m11, dc[0], Ro_10a);
-  const float Ro_11a = R->m10 * dc[0], Ro_11 = fmaf(R->m11, dc[1], Ro_11a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m21, dc[0], Ro_20a);
-  const float Ro_21a = R->m20 * dc[0], Ro_21 = fmaf(R->m21, dc[1], Ro_21a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(-R->m01, dc[0], Ro_00a);
+  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01 = fmaf(R->m01, dc[1], Ro_01a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(-R->m11, dc[0], Ro_10a);
+  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11 = fmaf(R->m11, dc[1], Ro_11a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(-R->m21, dc[0], Ro_20a);
+  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21 = fmaf(R->m21, dc[1], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3156,12 +3259,12 @@ static inline void ksl_product_drdrzinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m01, dc[0], Do_00a);
-  const float Do_01a = D->m00 * dc[0], Do_01 = fmaf(D->m01, dc[1], Do_01a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m11, dc[0], Do_10a);
-  const float Do_11a = D->m10 * dc[0], Do_11 = fmaf(D->m11, dc[1], Do_11a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m21, dc[0], Do_20a);
-  const float Do_21a = D->m20 * dc[0], Do_21 = fmaf(D->m21, dc[1], Do_21a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(-D->m01, dc[0], Do_00a);
+  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01 = fmaf(D->m01, dc[1], Do_01a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(-D->m11, dc[0], Do_10a);
+  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11 = fmaf(D->m11, dc[1], Do_11a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(-D->m21, dc[0], Do_20a);
+  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21 = fmaf(D->m21, dc[1], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3226,12 +3329,12 @@ static inline void ksl_product_ddtzinvf_fused(const ksl_SE3f_t *D, const float k
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_fused(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -3302,12 +3405,12 @@ static inline void ksl_nxpy_ss_fused(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_fused(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3382,9 +3485,12 @@ static inline void ksl_add_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0c = fma(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1c = fma(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2c = fma(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0c = fma(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1c = fma(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2c = fma(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -3403,9 +3509,12 @@ static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -3424,9 +3533,12 @@ static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
   const double so_5 = -si->m5;
@@ -3445,17 +3557,17 @@ static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_scre
      and underflow. */
 static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0 = fma(R->m02, si->m2, so_0c);
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m12, si->m2, so_1c);
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3 = fma(R->m02, si->m5, so_3c);
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m12, si->m5, so_4c);
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3472,17 +3584,17 @@ static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw
      and underflow. */
 static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m10, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m10, si->m1, so_0a),
       so_0 = fma(R->m20, si->m2, so_0c);
-  const double so_1a = R->m01 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m21, si->m2, so_1c);
-  const double so_2a = R->m02 * si->m0, so_2c = fma(R->m12, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2c = fma(R->m12, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m10, si->m4, so_3a),
       so_3 = fma(R->m20, si->m5, so_3c);
-  const double so_4a = R->m01 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m21, si->m5, so_4c);
-  const double so_5a = R->m02 * si->m3, so_5c = fma(R->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5c = fma(R->m12, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3499,17 +3611,17 @@ static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3526,21 +3638,21 @@ static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0 = fma(D->m02, si->m2, w_0c);
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1 = fma(D->m12, si->m2, w_1c);
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2 = fma(D->m22, si->m2, w_2c);
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3 = fma(D->m02, si->m5, w_3c);
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4 = fma(D->m12, si->m5, w_4c);
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5 = fma(D->m22, si->m5, w_5c);
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3556,20 +3668,23 @@ static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0c = fma(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1c = fma(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2c = fma(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0c = fma(D->m10, w_1, so_0a),
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0c = fma(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1c = fma(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2c = fma(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0c = fma(D->m10, w_1, so_0a),
       so_0 = fma(D->m20, w_2, so_0c);
-  const double so_1a = D->m01 * w_0, so_1c = fma(D->m11, w_1, so_1a),
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1c = fma(D->m11, w_1, so_1a),
       so_1 = fma(D->m21, w_2, so_1c);
-  const double so_2a = D->m02 * w_0, so_2c = fma(D->m12, w_1, so_2a),
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2c = fma(D->m12, w_1, so_2a),
       so_2 = fma(D->m22, w_2, so_2c);
-  const double so_3a = D->m00 * si->m3, so_3c = fma(D->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3c = fma(D->m10, si->m4, so_3a),
       so_3 = fma(D->m20, si->m5, so_3c);
-  const double so_4a = D->m01 * si->m3, so_4c = fma(D->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4c = fma(D->m11, si->m4, so_4a),
       so_4 = fma(D->m21, si->m5, so_4c);
-  const double so_5a = D->m02 * si->m3, so_5c = fma(D->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5c = fma(D->m12, si->m4, so_5a),
       so_5 = fma(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3586,21 +3701,21 @@ static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_
      barring over- and underflow. */
 static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3615,9 +3730,9 @@ static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0 = fma(-D->m10, D->m23, so_0a);
-  const double so_1a = D->m00 * D->m23, so_1 = fma(-D->m20, D->m03, so_1a);
-  const double so_2a = D->m10 * D->m03, so_2 = fma(-D->m00, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0 = fma(-D->m10, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1 = fma(-D->m20, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2 = fma(-D->m00, D->m13, so_2a);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -3635,9 +3750,9 @@ static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0 = fma(-D->m11, D->m23, so_0a);
-  const double so_1a = D->m01 * D->m23, so_1 = fma(-D->m21, D->m03, so_1a);
-  const double so_2a = D->m11 * D->m03, so_2 = fma(-D->m01, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0 = fma(-D->m11, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1 = fma(-D->m21, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2 = fma(-D->m01, D->m13, so_2a);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -3655,9 +3770,9 @@ static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0 = fma(-D->m12, D->m23, so_0a);
-  const double so_1a = D->m02 * D->m23, so_1 = fma(-D->m22, D->m03, so_1a);
-  const double so_2a = D->m12 * D->m03, so_2 = fma(-D->m02, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0 = fma(-D->m12, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1 = fma(-D->m22, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2 = fma(-D->m02, D->m13, so_2a);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -3675,9 +3790,9 @@ static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0 = fma(-D->m20, D->m13, so_0a);
-  const double so_1a = D->m20 * D->m03, so_1 = fma(-D->m00, D->m23, so_1a);
-  const double so_2a = D->m00 * D->m13, so_2 = fma(-D->m10, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0 = fma(-D->m20, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1 = fma(-D->m00, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2 = fma(-D->m10, D->m03, so_2a);
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -3695,9 +3810,9 @@ static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0 = fma(-D->m21, D->m13, so_0a);
-  const double so_1a = D->m21 * D->m03, so_1 = fma(-D->m01, D->m23, so_1a);
-  const double so_2a = D->m01 * D->m13, so_2 = fma(-D->m11, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0 = fma(-D->m21, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1 = fma(-D->m01, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2 = fma(-D->m11, D->m03, so_2a);
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -3715,9 +3830,9 @@ static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0 = fma(-D->m22, D->m13, so_0a);
-  const double so_1a = D->m22 * D->m03, so_1 = fma(-D->m02, D->m23, so_1a);
-  const double so_2a = D->m02 * D->m13, so_2 = fma(-D->m12, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0 = fma(-D->m22, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1 = fma(-D->m02, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2 = fma(-D->m12, D->m03, so_2a);
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -3735,15 +3850,15 @@ static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03 = fma(-D->m10, D->m23, M_03a);
-  const double M_04a = D->m21 * D->m13, M_04 = fma(-D->m11, D->m23, M_04a);
-  const double M_05a = D->m22 * D->m13, M_05 = fma(-D->m12, D->m23, M_05a);
-  const double M_13a = D->m00 * D->m23, M_13 = fma(-D->m20, D->m03, M_13a);
-  const double M_14a = D->m01 * D->m23, M_14 = fma(-D->m21, D->m03, M_14a);
-  const double M_15a = D->m02 * D->m23, M_15 = fma(-D->m22, D->m03, M_15a);
-  const double M_23a = D->m10 * D->m03, M_23 = fma(-D->m00, D->m13, M_23a);
-  const double M_24a = D->m11 * D->m03, M_24 = fma(-D->m01, D->m13, M_24a);
-  const double M_25a = D->m12 * D->m03, M_25 = fma(-D->m02, D->m13, M_25a);
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03 = fma(-D->m10, D->m23, M_03a);
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04 = fma(-D->m11, D->m23, M_04a);
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05 = fma(-D->m12, D->m23, M_05a);
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13 = fma(-D->m20, D->m03, M_13a);
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14 = fma(-D->m21, D->m03, M_14a);
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15 = fma(-D->m22, D->m03, M_15a);
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23 = fma(-D->m00, D->m13, M_23a);
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24 = fma(-D->m01, D->m13, M_24a);
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25 = fma(-D->m02, D->m13, M_25a);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -3797,8 +3912,8 @@ static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_c = fma(c->m1, s->m1, power_a),
-      power_e = fma(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const double power_a = KSL_MUL(c->m0, s->m0), power_c = fma(c->m1, s->m1, power_a),
+      power_e = fma(c->m2, s->m2, power_c), power_f = KSL_MUL(c->m3, s->m3),
       power_h = fma(c->m4, s->m4, power_f), power_j = fma(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -3811,15 +3926,15 @@ static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t 
      barring over- and underflow. */
 static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0c = fma(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1c = fma(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2c = fma(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3 = fma(-s1->m5, s2->m4, so_3a);
-  const double so_4a = s1->m5 * s2->m3, so_4 = fma(-s1->m3, s2->m5, so_4a);
-  const double so_5a = s1->m3 * s2->m4, so_5 = fma(-s1->m4, s2->m3, so_5a);
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0c = fma(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MUL(s1->m4, s2->m2), so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1c = fma(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MUL(s1->m2, s2->m3), so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2c = fma(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MUL(s1->m3, s2->m1), so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3 = fma(-s1->m5, s2->m4, so_3a);
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4 = fma(-s1->m3, s2->m5, so_4a);
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5 = fma(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3835,9 +3950,9 @@ static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0 = fma(-s1->m5, s2->m1, so_0a);
-  const double so_1a = s1->m5 * s2->m0, so_1 = fma(-s1->m3, s2->m2, so_1a);
-  const double so_2a = s1->m3 * s2->m1, so_2 = fma(-s1->m4, s2->m0, so_2a);
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0 = fma(-s1->m5, s2->m1, so_0a);
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1 = fma(-s1->m3, s2->m2, so_1a);
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2 = fma(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3852,15 +3967,15 @@ static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t 
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m13 * a_2, so_0 = fma(-D->m23, a_1, so_0a);
-  const double so_1a = D->m23 * a_0, so_1 = fma(-D->m03, a_2, so_1a);
-  const double so_2a = D->m03 * a_1, so_2 = fma(-D->m13, a_0, so_2a);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2 = fma(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3875,11 +3990,11 @@ static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0 = fma(D->m02, axis->z, so_0c);
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1 = fma(D->m12, axis->z, so_1c);
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2 = fma(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3894,12 +4009,12 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale_fused(ksl_screwf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -3970,12 +4085,12 @@ static inline void ksl_nxpy_ssf_fused(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf_fused(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4051,9 +4166,12 @@ static inline void ksl_add_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->y * si->m5, so_0c = fmaf(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1c = fmaf(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2c = fmaf(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0c = fmaf(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1c = fmaf(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2c = fmaf(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -4072,9 +4190,12 @@ static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screw
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -4093,9 +4214,12 @@ static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
   const float so_5 = -si->m5;
@@ -4114,17 +4238,17 @@ static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0 = fmaf(R->m02, si->m2, so_0c);
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m12, si->m2, so_1c);
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3 = fmaf(R->m02, si->m5, so_3c);
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m12, si->m5, so_4c);
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4141,17 +4265,17 @@ static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_scr
      and underflow. */
 static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m10, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m10, si->m1, so_0a),
       so_0 = fmaf(R->m20, si->m2, so_0c);
-  const float so_1a = R->m01 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m21, si->m2, so_1c);
-  const float so_2a = R->m02 * si->m0, so_2c = fmaf(R->m12, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2c = fmaf(R->m12, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m10, si->m4, so_3a),
       so_3 = fmaf(R->m20, si->m5, so_3c);
-  const float so_4a = R->m01 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m21, si->m5, so_4c);
-  const float so_5a = R->m02 * si->m3, so_5c = fmaf(R->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5c = fmaf(R->m12, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4168,17 +4292,17 @@ static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4195,21 +4319,21 @@ static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0 = fmaf(D->m02, si->m2, w_0c);
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1 = fmaf(D->m12, si->m2, w_1c);
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2 = fmaf(D->m22, si->m2, w_2c);
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3 = fmaf(D->m02, si->m5, w_3c);
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4 = fmaf(D->m12, si->m5, w_4c);
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5 = fmaf(D->m22, si->m5, w_5c);
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4225,20 +4349,23 @@ static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m23 * si->m4, w_0c = fmaf(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1c = fmaf(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2c = fmaf(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0c = fmaf(D->m10, w_1, so_0a),
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0c = fmaf(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1c = fmaf(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2c = fmaf(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0c = fmaf(D->m10, w_1, so_0a),
       so_0 = fmaf(D->m20, w_2, so_0c);
-  const float so_1a = D->m01 * w_0, so_1c = fmaf(D->m11, w_1, so_1a),
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1c = fmaf(D->m11, w_1, so_1a),
       so_1 = fmaf(D->m21, w_2, so_1c);
-  const float so_2a = D->m02 * w_0, so_2c = fmaf(D->m12, w_1, so_2a),
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2c = fmaf(D->m12, w_1, so_2a),
       so_2 = fmaf(D->m22, w_2, so_2c);
-  const float so_3a = D->m00 * si->m3, so_3c = fmaf(D->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3c = fmaf(D->m10, si->m4, so_3a),
       so_3 = fmaf(D->m20, si->m5, so_3c);
-  const float so_4a = D->m01 * si->m3, so_4c = fmaf(D->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4c = fmaf(D->m11, si->m4, so_4a),
       so_4 = fmaf(D->m21, si->m5, so_4c);
-  const float so_5a = D->m02 * si->m3, so_5c = fmaf(D->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5c = fmaf(D->m12, si->m4, so_5a),
       so_5 = fmaf(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4255,21 +4382,21 @@ static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4284,9 +4411,9 @@ static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_scre
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m20 * D->m13, so_0 = fmaf(-D->m10, D->m23, so_0a);
-  const float so_1a = D->m00 * D->m23, so_1 = fmaf(-D->m20, D->m03, so_1a);
-  const float so_2a = D->m10 * D->m03, so_2 = fmaf(-D->m00, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0 = fmaf(-D->m10, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1 = fmaf(-D->m20, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2 = fmaf(-D->m00, D->m13, so_2a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -4304,9 +4431,9 @@ static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m21 * D->m13, so_0 = fmaf(-D->m11, D->m23, so_0a);
-  const float so_1a = D->m01 * D->m23, so_1 = fmaf(-D->m21, D->m03, so_1a);
-  const float so_2a = D->m11 * D->m03, so_2 = fmaf(-D->m01, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0 = fmaf(-D->m11, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1 = fmaf(-D->m21, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2 = fmaf(-D->m01, D->m13, so_2a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -4324,9 +4451,9 @@ static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m22 * D->m13, so_0 = fmaf(-D->m12, D->m23, so_0a);
-  const float so_1a = D->m02 * D->m23, so_1 = fmaf(-D->m22, D->m03, so_1a);
-  const float so_2a = D->m12 * D->m03, so_2 = fmaf(-D->m02, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0 = fmaf(-D->m12, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1 = fmaf(-D->m22, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2 = fmaf(-D->m02, D->m13, so_2a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -4344,9 +4471,9 @@ static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m10 * D->m23, so_0 = fmaf(-D->m20, D->m13, so_0a);
-  const float so_1a = D->m20 * D->m03, so_1 = fmaf(-D->m00, D->m23, so_1a);
-  const float so_2a = D->m00 * D->m13, so_2 = fmaf(-D->m10, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0 = fmaf(-D->m20, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1 = fmaf(-D->m00, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2 = fmaf(-D->m10, D->m03, so_2a);
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -4364,9 +4491,9 @@ static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m11 * D->m23, so_0 = fmaf(-D->m21, D->m13, so_0a);
-  const float so_1a = D->m21 * D->m03, so_1 = fmaf(-D->m01, D->m23, so_1a);
-  const float so_2a = D->m01 * D->m13, so_2 = fmaf(-D->m11, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0 = fmaf(-D->m21, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1 = fmaf(-D->m01, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2 = fmaf(-D->m11, D->m03, so_2a);
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -4384,9 +4511,9 @@ static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m12 * D->m23, so_0 = fmaf(-D->m22, D->m13, so_0a);
-  const float so_1a = D->m22 * D->m03, so_1 = fmaf(-D->m02, D->m23, so_1a);
-  const float so_2a = D->m02 * D->m13, so_2 = fmaf(-D->m12, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0 = fmaf(-D->m22, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1 = fmaf(-D->m02, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2 = fmaf(-D->m12, D->m03, so_2a);
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -4404,15 +4531,15 @@ static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = D->m20 * D->m13, M_03 = fmaf(-D->m10, D->m23, M_03a);
-  const float M_04a = D->m21 * D->m13, M_04 = fmaf(-D->m11, D->m23, M_04a);
-  const float M_05a = D->m22 * D->m13, M_05 = fmaf(-D->m12, D->m23, M_05a);
-  const float M_13a = D->m00 * D->m23, M_13 = fmaf(-D->m20, D->m03, M_13a);
-  const float M_14a = D->m01 * D->m23, M_14 = fmaf(-D->m21, D->m03, M_14a);
-  const float M_15a = D->m02 * D->m23, M_15 = fmaf(-D->m22, D->m03, M_15a);
-  const float M_23a = D->m10 * D->m03, M_23 = fmaf(-D->m00, D->m13, M_23a);
-  const float M_24a = D->m11 * D->m03, M_24 = fmaf(-D->m01, D->m13, M_24a);
-  const float M_25a = D->m12 * D->m03, M_25 = fmaf(-D->m02, D->m13, M_25a);
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03 = fmaf(-D->m10, D->m23, M_03a);
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04 = fmaf(-D->m11, D->m23, M_04a);
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05 = fmaf(-D->m12, D->m23, M_05a);
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13 = fmaf(-D->m20, D->m03, M_13a);
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14 = fmaf(-D->m21, D->m03, M_14a);
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15 = fmaf(-D->m22, D->m03, M_15a);
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23 = fmaf(-D->m00, D->m13, M_23a);
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24 = fmaf(-D->m01, D->m13, M_24a);
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25 = fmaf(-D->m02, D->m13, M_25a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4466,8 +4593,8 @@ static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = c->m0 * s->m0, power_c = fmaf(c->m1, s->m1, power_a),
-      power_e = fmaf(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const float power_a = KSL_MULF(c->m0, s->m0), power_c = fmaf(c->m1, s->m1, power_a),
+      power_e = fmaf(c->m2, s->m2, power_c), power_f = KSL_MULF(c->m3, s->m3),
       power_h = fmaf(c->m4, s->m4, power_f), power_j = fmaf(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -4480,15 +4607,15 @@ static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m1 * s2->m5, so_0c = fmaf(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1c = fmaf(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2c = fmaf(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3 = fmaf(-s1->m5, s2->m4, so_3a);
-  const float so_4a = s1->m5 * s2->m3, so_4 = fmaf(-s1->m3, s2->m5, so_4a);
-  const float so_5a = s1->m3 * s2->m4, so_5 = fmaf(-s1->m4, s2->m3, so_5a);
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0c = fmaf(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MULF(s1->m4, s2->m2), so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1c = fmaf(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MULF(s1->m2, s2->m3), so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2c = fmaf(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MULF(s1->m3, s2->m1), so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3 = fmaf(-s1->m5, s2->m4, so_3a);
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4 = fmaf(-s1->m3, s2->m5, so_4a);
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5 = fmaf(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4504,9 +4631,9 @@ static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m4 * s2->m2, so_0 = fmaf(-s1->m5, s2->m1, so_0a);
-  const float so_1a = s1->m5 * s2->m0, so_1 = fmaf(-s1->m3, s2->m2, so_1a);
-  const float so_2a = s1->m3 * s2->m1, so_2 = fmaf(-s1->m4, s2->m0, so_2a);
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0 = fmaf(-s1->m5, s2->m1, so_0a);
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1 = fmaf(-s1->m3, s2->m2, so_1a);
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2 = fmaf(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4521,15 +4648,15 @@ static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m13 * a_2, so_0 = fmaf(-D->m23, a_1, so_0a);
-  const float so_1a = D->m23 * a_0, so_1 = fmaf(-D->m03, a_2, so_1a);
-  const float so_2a = D->m03 * a_1, so_2 = fmaf(-D->m13, a_0, so_2a);
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2 = fmaf(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4544,11 +4671,11 @@ static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0 = fmaf(D->m02, axis->z, so_0c);
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1 = fmaf(D->m12, axis->z, so_1c);
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2 = fmaf(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4571,12 +4698,12 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_fused(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -4648,12 +4775,12 @@ static inline void ksl_nxpy_cc_fused(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_fused(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -4729,9 +4856,12 @@ static inline void ksl_add_cct_fused(const ksl_coscrew_t *c1, const ksl_coscrew_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3c = fma(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4c = fma(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5c = fma(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3c = fma(-t->z, ci->m1, co_3a),
+      co_3 = co_3c + ci->m3;
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4c = fma(-t->x, ci->m2, co_4a),
+      co_4 = co_4c + ci->m4;
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5c = fma(-t->y, ci->m0, co_5a),
+      co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -4750,9 +4880,12 @@ static inline void ksl_product_CoAdtc_fused(const ksl_vec3_t *t, const ksl_coscr
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3c = fma(-t->y, ci->m2, co_3a),
+      co_3 = co_3c + ci->m3;
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4c = fma(-t->z, ci->m0, co_4a),
+      co_4 = co_4c + ci->m4;
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5c = fma(-t->x, ci->m1, co_5a),
+      co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -4774,9 +4907,12 @@ static inline void ksl_product_CoAdtcinv_fused(const ksl_vec3_t *t, const ksl_co
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3c = fma(-t->y, ci->m2, co_3a),
+      co_3 = co_3c - ci->m3;
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4c = fma(-t->z, ci->m0, co_4a),
+      co_4 = co_4c - ci->m4;
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5c = fma(-t->x, ci->m1, co_5a),
+      co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -4792,17 +4928,17 @@ static inline void ksl_product_CoAdtcinv_fused(const ksl_vec3_t *t, const ksl_co
      and underflow. */
 static inline void ksl_product_CoAdrc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
       co_0 = fma(R->m02, ci->m2, co_0c);
-  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1 = fma(R->m12, ci->m2, co_1c);
-  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
       co_2 = fma(R->m22, ci->m2, co_2c);
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
       co_3 = fma(R->m02, ci->m5, co_3c);
-  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4 = fma(R->m12, ci->m5, co_4c);
-  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
       co_5 = fma(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -4819,17 +4955,17 @@ static inline void ksl_product_CoAdrc_fused(const ksl_mat3x3_t *R, const ksl_cos
      and underflow. */
 static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m10, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m10, ci->m1, co_0a),
       co_0 = fma(R->m20, ci->m2, co_0c);
-  const double co_1a = R->m01 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1 = fma(R->m21, ci->m2, co_1c);
-  const double co_2a = R->m02 * ci->m0, co_2c = fma(R->m12, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2c = fma(R->m12, ci->m1, co_2a),
       co_2 = fma(R->m22, ci->m2, co_2c);
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m10, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m10, ci->m4, co_3a),
       co_3 = fma(R->m20, ci->m5, co_3c);
-  const double co_4a = R->m01 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4 = fma(R->m21, ci->m5, co_4c);
-  const double co_5a = R->m02 * ci->m3, co_5c = fma(R->m12, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5c = fma(R->m12, ci->m4, co_5a),
       co_5 = fma(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -4846,17 +4982,17 @@ static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
       co_0e = fma(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1e = fma(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
       co_2e = fma(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
       co_3e = fma(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4e = fma(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
       co_5e = fma(R->m22, ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -4873,21 +5009,21 @@ static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_CoAdc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
       w_0 = fma(D->m02, ci->m2, w_0c);
-  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
       w_1 = fma(D->m12, ci->m2, w_1c);
-  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
       w_2 = fma(D->m22, ci->m2, w_2c);
-  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
       w_3 = fma(D->m02, ci->m5, w_3c);
-  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
       w_4 = fma(D->m12, ci->m5, w_4c);
-  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
       w_5 = fma(D->m22, ci->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -4903,20 +5039,23 @@ static inline void ksl_product_CoAdc_fused(const ksl_SE3_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3c = fma(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4c = fma(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5c = fma(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0c = fma(D->m10, ci->m1, co_0a),
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3c = fma(-D->m13, ci->m2, w_3a),
+      w_3 = w_3c + ci->m3;
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4c = fma(-D->m23, ci->m0, w_4a),
+      w_4 = w_4c + ci->m4;
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5c = fma(-D->m03, ci->m1, w_5a),
+      w_5 = w_5c + ci->m5;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0c = fma(D->m10, ci->m1, co_0a),
       co_0 = fma(D->m20, ci->m2, co_0c);
-  const double co_1a = D->m01 * ci->m0, co_1c = fma(D->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1c = fma(D->m11, ci->m1, co_1a),
       co_1 = fma(D->m21, ci->m2, co_1c);
-  const double co_2a = D->m02 * ci->m0, co_2c = fma(D->m12, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2c = fma(D->m12, ci->m1, co_2a),
       co_2 = fma(D->m22, ci->m2, co_2c);
-  const double co_3a = D->m00 * w_3, co_3c = fma(D->m10, w_4, co_3a),
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3c = fma(D->m10, w_4, co_3a),
       co_3 = fma(D->m20, w_5, co_3c);
-  const double co_4a = D->m01 * w_3, co_4c = fma(D->m11, w_4, co_4a),
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4c = fma(D->m11, w_4, co_4a),
       co_4 = fma(D->m21, w_5, co_4c);
-  const double co_5a = D->m02 * w_3, co_5c = fma(D->m12, w_4, co_5a),
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5c = fma(D->m12, w_4, co_5a),
       co_5 = fma(D->m22, w_5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -4933,21 +5072,21 @@ static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
       w_0e = fma(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
       w_1e = fma(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
       w_2e = fma(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
       w_3e = fma(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
       w_4e = fma(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
       w_5e = fma(D->m22, ci->m5, w_5c), w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -4962,9 +5101,9 @@ static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_cosc
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3 = fma(-D->m10, D->m23, co_3a);
-  const double co_4a = D->m00 * D->m23, co_4 = fma(-D->m20, D->m03, co_4a);
-  const double co_5a = D->m10 * D->m03, co_5 = fma(-D->m00, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3 = fma(-D->m10, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4 = fma(-D->m20, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5 = fma(-D->m00, D->m13, co_5a);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -4982,9 +5121,9 @@ static inline void ksl_hctx_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3 = fma(-D->m11, D->m23, co_3a);
-  const double co_4a = D->m01 * D->m23, co_4 = fma(-D->m21, D->m03, co_4a);
-  const double co_5a = D->m11 * D->m03, co_5 = fma(-D->m01, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3 = fma(-D->m11, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4 = fma(-D->m21, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5 = fma(-D->m01, D->m13, co_5a);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -5002,9 +5141,9 @@ static inline void ksl_hcty_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3 = fma(-D->m12, D->m23, co_3a);
-  const double co_4a = D->m02 * D->m23, co_4 = fma(-D->m22, D->m03, co_4a);
-  const double co_5a = D->m12 * D->m03, co_5 = fma(-D->m02, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3 = fma(-D->m12, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4 = fma(-D->m22, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5 = fma(-D->m02, D->m13, co_5a);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -5025,9 +5164,9 @@ static inline void ksl_hctxinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3 = fma(-D->m20, D->m13, co_3a);
-  const double co_4a = D->m20 * D->m03, co_4 = fma(-D->m00, D->m23, co_4a);
-  const double co_5a = D->m00 * D->m13, co_5 = fma(-D->m10, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3 = fma(-D->m20, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4 = fma(-D->m00, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5 = fma(-D->m10, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5045,9 +5184,9 @@ static inline void ksl_hctyinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3 = fma(-D->m21, D->m13, co_3a);
-  const double co_4a = D->m21 * D->m03, co_4 = fma(-D->m01, D->m23, co_4a);
-  const double co_5a = D->m01 * D->m13, co_5 = fma(-D->m11, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3 = fma(-D->m21, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4 = fma(-D->m01, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5 = fma(-D->m11, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5065,9 +5204,9 @@ static inline void ksl_hctzinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3 = fma(-D->m22, D->m13, co_3a);
-  const double co_4a = D->m22 * D->m03, co_4 = fma(-D->m02, D->m23, co_4a);
-  const double co_5a = D->m02 * D->m13, co_5 = fma(-D->m12, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3 = fma(-D->m22, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4 = fma(-D->m02, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5 = fma(-D->m12, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5082,15 +5221,15 @@ static inline void ksl_hctzinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30 = fma(-D->m10, D->m23, M_30a);
-  const double M_31a = D->m21 * D->m13, M_31 = fma(-D->m11, D->m23, M_31a);
-  const double M_32a = D->m22 * D->m13, M_32 = fma(-D->m12, D->m23, M_32a);
-  const double M_40a = D->m00 * D->m23, M_40 = fma(-D->m20, D->m03, M_40a);
-  const double M_41a = D->m01 * D->m23, M_41 = fma(-D->m21, D->m03, M_41a);
-  const double M_42a = D->m02 * D->m23, M_42 = fma(-D->m22, D->m03, M_42a);
-  const double M_50a = D->m10 * D->m03, M_50 = fma(-D->m00, D->m13, M_50a);
-  const double M_51a = D->m11 * D->m03, M_51 = fma(-D->m01, D->m13, M_51a);
-  const double M_52a = D->m12 * D->m03, M_52 = fma(-D->m02, D->m13, M_52a);
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30 = fma(-D->m10, D->m23, M_30a);
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31 = fma(-D->m11, D->m23, M_31a);
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32 = fma(-D->m12, D->m23, M_32a);
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40 = fma(-D->m20, D->m03, M_40a);
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41 = fma(-D->m21, D->m03, M_41a);
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42 = fma(-D->m22, D->m03, M_42a);
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50 = fma(-D->m00, D->m13, M_50a);
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51 = fma(-D->m01, D->m13, M_51a);
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52 = fma(-D->m02, D->m13, M_52a);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -5144,8 +5283,8 @@ static inline void ksl_CoAd_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product_fused(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_c = fma(c->m1, x[4], power_a),
-      power_e = fma(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+  const double power_a = KSL_MUL(c->m0, x[3]), power_c = fma(c->m1, x[4], power_a),
+      power_e = fma(c->m2, x[5], power_c), power_f = KSL_MUL(c->m3, x[0]),
       power_h = fma(c->m4, x[1], power_f), power_j = fma(c->m5, x[2], power_h),
       power = power_e + power_j;
   return power;
@@ -5158,15 +5297,15 @@ static inline double ksl_reciprocal_product_fused(const ksl_coscrew_t *c, const 
      barring over- and underflow. */
 static inline void ksl_cross_sc_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0 = fma(-s->m5, c->m1, co_0a);
-  const double co_1a = s->m5 * c->m0, co_1 = fma(-s->m3, c->m2, co_1a);
-  const double co_2a = s->m3 * c->m1, co_2 = fma(-s->m4, c->m0, co_2a);
-  const double co_3a = s->m1 * c->m2, co_3c = fma(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
-      co_3f = fma(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4c = fma(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
-      co_4f = fma(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5c = fma(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
-      co_5f = fma(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0 = fma(-s->m5, c->m1, co_0a);
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1 = fma(-s->m3, c->m2, co_1a);
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2 = fma(-s->m4, c->m0, co_2a);
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3c = fma(-s->m2, c->m1, co_3a),
+      co_3d = KSL_MUL(s->m4, c->m5), co_3f = fma(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4c = fma(-s->m0, c->m2, co_4a),
+      co_4d = KSL_MUL(s->m5, c->m3), co_4f = fma(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5c = fma(-s->m1, c->m0, co_5a),
+      co_5d = KSL_MUL(s->m3, c->m4), co_5f = fma(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5182,9 +5321,9 @@ static inline void ksl_cross_sc_fused(const ksl_screw_t *s, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_cross_sca_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3 = fma(-s->m5, c->m4, co_3a);
-  const double co_4a = s->m5 * c->m3, co_4 = fma(-s->m3, c->m5, co_4a);
-  const double co_5a = s->m3 * c->m4, co_5 = fma(-s->m4, c->m3, co_5a);
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3 = fma(-s->m5, c->m4, co_3a);
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4 = fma(-s->m3, c->m5, co_4a);
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5 = fma(-s->m4, c->m3, co_5a);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5200,18 +5339,18 @@ static inline void ksl_cross_sca_fused(const ksl_screw_t *s, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0 = fma(D->m02, c->m2, w_0a);
-  const double w_1a = D->m11 * c->m1, w_1 = fma(D->m12, c->m2, w_1a);
-  const double w_2a = D->m21 * c->m1, w_2 = fma(D->m22, c->m2, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5227,18 +5366,18 @@ static inline void ksl_constraint_ctx_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m02, c->m2, w_0a);
-  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m12, c->m2, w_1a);
-  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m22, c->m2, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5254,18 +5393,18 @@ static inline void ksl_constraint_cty_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m01, c->m1, w_0a);
-  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m11, c->m1, w_1a);
-  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m21, c->m1, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0 = fma(D->m01, c->m1, w_0a);
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1 = fma(D->m11, c->m1, w_1a);
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2 = fma(D->m21, c->m1, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5281,18 +5420,18 @@ static inline void ksl_constraint_ctz_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m01 * c->m4, w_3 = fma(D->m02, c->m5, w_3a);
-  const double w_4a = D->m11 * c->m4, w_4 = fma(D->m12, c->m5, w_4a);
-  const double w_5a = D->m21 * c->m4, w_5 = fma(D->m22, c->m5, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5308,18 +5447,18 @@ static inline void ksl_constraint_crx_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m02, c->m5, w_3a);
-  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m12, c->m5, w_4a);
-  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m22, c->m5, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5335,18 +5474,18 @@ static inline void ksl_constraint_cry_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m01, c->m4, w_3a);
-  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m11, c->m4, w_4a);
-  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m21, c->m4, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3 = fma(D->m01, c->m4, w_3a);
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4 = fma(D->m11, c->m4, w_4a);
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5 = fma(D->m21, c->m4, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5362,12 +5501,12 @@ static inline void ksl_constraint_crz_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_working_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5383,12 +5522,12 @@ static inline void ksl_working_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_working_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5404,12 +5543,12 @@ static inline void ksl_working_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_working_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5424,9 +5563,9 @@ static inline void ksl_working_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5441,9 +5580,9 @@ static inline void ksl_working_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5458,9 +5597,9 @@ static inline void ksl_working_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5474,12 +5613,12 @@ static inline void ksl_working_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale_fused(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -5551,12 +5690,12 @@ static inline void ksl_nxpy_ccf_fused(const ksl_coscrewf_t *x, ksl_coscrewf_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf_fused(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5632,9 +5771,12 @@ static inline void ksl_add_cctf_fused(const ksl_coscrewf_t *c1, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->y * ci->m2, co_3c = fmaf(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4c = fmaf(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5c = fmaf(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3c = fmaf(-t->z, ci->m1, co_3a),
+      co_3 = co_3c + ci->m3;
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4c = fmaf(-t->x, ci->m2, co_4a),
+      co_4 = co_4c + ci->m4;
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5c = fmaf(-t->y, ci->m0, co_5a),
+      co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -5653,9 +5795,12 @@ static inline void ksl_product_CoAdtcf_fused(const ksl_vec3f_t *t, const ksl_cos
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3c = fmaf(-t->y, ci->m2, co_3a),
+      co_3 = co_3c + ci->m3;
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4c = fmaf(-t->z, ci->m0, co_4a),
+      co_4 = co_4c + ci->m4;
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5c = fmaf(-t->x, ci->m1, co_5a),
+      co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -5677,9 +5822,12 @@ static inline void ksl_product_CoAdtcinvf_fused(const ksl_vec3f_t *t, const ksl_
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3c = fmaf(-t->y, ci->m2, co_3a),
+      co_3 = co_3c - ci->m3;
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4c = fmaf(-t->z, ci->m0, co_4a),
+      co_4 = co_4c - ci->m4;
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5c = fmaf(-t->x, ci->m1, co_5a),
+      co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5695,17 +5843,17 @@ static inline void ksl_product_CoAdtcinvf_fused(const ksl_vec3f_t *t, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
       co_0 = fmaf(R->m02, ci->m2, co_0c);
-  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1 = fmaf(R->m12, ci->m2, co_1c);
-  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
       co_2 = fmaf(R->m22, ci->m2, co_2c);
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
       co_3 = fmaf(R->m02, ci->m5, co_3c);
-  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4 = fmaf(R->m12, ci->m5, co_4c);
-  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
       co_5 = fmaf(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5722,17 +5870,17 @@ static inline void ksl_product_CoAdrcf_fused(const ksl_mat3x3f_t *R, const ksl_c
      and underflow. */
 static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m10, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m10, ci->m1, co_0a),
       co_0 = fmaf(R->m20, ci->m2, co_0c);
-  const float co_1a = R->m01 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1 = fmaf(R->m21, ci->m2, co_1c);
-  const float co_2a = R->m02 * ci->m0, co_2c = fmaf(R->m12, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2c = fmaf(R->m12, ci->m1, co_2a),
       co_2 = fmaf(R->m22, ci->m2, co_2c);
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m10, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m10, ci->m4, co_3a),
       co_3 = fmaf(R->m20, ci->m5, co_3c);
-  const float co_4a = R->m01 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4 = fmaf(R->m21, ci->m5, co_4c);
-  const float co_5a = R->m02 * ci->m3, co_5c = fmaf(R->m12, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5c = fmaf(R->m12, ci->m4, co_5a),
       co_5 = fmaf(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5749,17 +5897,17 @@ static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
       co_0e = fmaf(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1e = fmaf(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
       co_2e = fmaf(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
       co_3e = fmaf(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4e = fmaf(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
       co_5e = fmaf(R->m22, ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5776,21 +5924,21 @@ static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ks
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
       w_0 = fmaf(D->m02, ci->m2, w_0c);
-  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
       w_1 = fmaf(D->m12, ci->m2, w_1c);
-  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
       w_2 = fmaf(D->m22, ci->m2, w_2c);
-  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
       w_3 = fmaf(D->m02, ci->m5, w_3c);
-  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
       w_4 = fmaf(D->m12, ci->m5, w_4c);
-  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
       w_5 = fmaf(D->m22, ci->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5806,20 +5954,23 @@ static inline void ksl_product_CoAdcf_fused(const ksl_SE3f_t *D, const ksl_coscr
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = D->m23 * ci->m1, w_3c = fmaf(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4c = fmaf(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5c = fmaf(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0c = fmaf(D->m10, ci->m1, co_0a),
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3c = fmaf(-D->m13, ci->m2, w_3a),
+      w_3 = w_3c + ci->m3;
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4c = fmaf(-D->m23, ci->m0, w_4a),
+      w_4 = w_4c + ci->m4;
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5c = fmaf(-D->m03, ci->m1, w_5a),
+      w_5 = w_5c + ci->m5;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0c = fmaf(D->m10, ci->m1, co_0a),
       co_0 = fmaf(D->m20, ci->m2, co_0c);
-  const float co_1a = D->m01 * ci->m0, co_1c = fmaf(D->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1c = fmaf(D->m11, ci->m1, co_1a),
       co_1 = fmaf(D->m21, ci->m2, co_1c);
-  const float co_2a = D->m02 * ci->m0, co_2c = fmaf(D->m12, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2c = fmaf(D->m12, ci->m1, co_2a),
       co_2 = fmaf(D->m22, ci->m2, co_2c);
-  const float co_3a = D->m00 * w_3, co_3c = fmaf(D->m10, w_4, co_3a),
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3c = fmaf(D->m10, w_4, co_3a),
       co_3 = fmaf(D->m20, w_5, co_3c);
-  const float co_4a = D->m01 * w_3, co_4c = fmaf(D->m11, w_4, co_4a),
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4c = fmaf(D->m11, w_4, co_4a),
       co_4 = fmaf(D->m21, w_5, co_4c);
-  const float co_5a = D->m02 * w_3, co_5c = fmaf(D->m12, w_4, co_5a),
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5c = fmaf(D->m12, w_4, co_5a),
       co_5 = fmaf(D->m22, w_5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5836,21 +5987,21 @@ static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_co
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
       w_0e = fmaf(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
       w_1e = fmaf(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
       w_2e = fmaf(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
       w_3e = fmaf(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
       w_4e = fmaf(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
       w_5e = fmaf(D->m22, ci->m5, w_5c), w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5865,9 +6016,9 @@ static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_co
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m20 * D->m13, co_3 = fmaf(-D->m10, D->m23, co_3a);
-  const float co_4a = D->m00 * D->m23, co_4 = fmaf(-D->m20, D->m03, co_4a);
-  const float co_5a = D->m10 * D->m03, co_5 = fmaf(-D->m00, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3 = fmaf(-D->m10, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4 = fmaf(-D->m20, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5 = fmaf(-D->m00, D->m13, co_5a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -5885,9 +6036,9 @@ static inline void ksl_hctxf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m21 * D->m13, co_3 = fmaf(-D->m11, D->m23, co_3a);
-  const float co_4a = D->m01 * D->m23, co_4 = fmaf(-D->m21, D->m03, co_4a);
-  const float co_5a = D->m11 * D->m03, co_5 = fmaf(-D->m01, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3 = fmaf(-D->m11, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4 = fmaf(-D->m21, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5 = fmaf(-D->m01, D->m13, co_5a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -5905,9 +6056,9 @@ static inline void ksl_hctyf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m22 * D->m13, co_3 = fmaf(-D->m12, D->m23, co_3a);
-  const float co_4a = D->m02 * D->m23, co_4 = fmaf(-D->m22, D->m03, co_4a);
-  const float co_5a = D->m12 * D->m03, co_5 = fmaf(-D->m02, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3 = fmaf(-D->m12, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4 = fmaf(-D->m22, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5 = fmaf(-D->m02, D->m13, co_5a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -5928,9 +6079,9 @@ static inline void ksl_hctxinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3 = fmaf(-D->m20, D->m13, co_3a);
-  const float co_4a = D->m20 * D->m03, co_4 = fmaf(-D->m00, D->m23, co_4a);
-  const float co_5a = D->m00 * D->m13, co_5 = fmaf(-D->m10, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3 = fmaf(-D->m20, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4 = fmaf(-D->m00, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5 = fmaf(-D->m10, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5948,9 +6099,9 @@ static inline void ksl_hctyinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3 = fmaf(-D->m21, D->m13, co_3a);
-  const float co_4a = D->m21 * D->m03, co_4 = fmaf(-D->m01, D->m23, co_4a);
-  const float co_5a = D->m01 * D->m13, co_5 = fmaf(-D->m11, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3 = fmaf(-D->m21, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4 = fmaf(-D->m01, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5 = fmaf(-D->m11, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5968,9 +6119,9 @@ static inline void ksl_hctzinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3 = fmaf(-D->m22, D->m13, co_3a);
-  const float co_4a = D->m22 * D->m03, co_4 = fmaf(-D->m02, D->m23, co_4a);
-  const float co_5a = D->m02 * D->m13, co_5 = fmaf(-D->m12, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3 = fmaf(-D->m22, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4 = fmaf(-D->m02, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5 = fmaf(-D->m12, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5985,15 +6136,15 @@ static inline void ksl_hctzinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = D->m20 * D->m13, M_30 = fmaf(-D->m10, D->m23, M_30a);
-  const float M_31a = D->m21 * D->m13, M_31 = fmaf(-D->m11, D->m23, M_31a);
-  const float M_32a = D->m22 * D->m13, M_32 = fmaf(-D->m12, D->m23, M_32a);
-  const float M_40a = D->m00 * D->m23, M_40 = fmaf(-D->m20, D->m03, M_40a);
-  const float M_41a = D->m01 * D->m23, M_41 = fmaf(-D->m21, D->m03, M_41a);
-  const float M_42a = D->m02 * D->m23, M_42 = fmaf(-D->m22, D->m03, M_42a);
-  const float M_50a = D->m10 * D->m03, M_50 = fmaf(-D->m00, D->m13, M_50a);
-  const float M_51a = D->m11 * D->m03, M_51 = fmaf(-D->m01, D->m13, M_51a);
-  const float M_52a = D->m12 * D->m03, M_52 = fmaf(-D->m02, D->m13, M_52a);
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30 = fmaf(-D->m10, D->m23, M_30a);
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31 = fmaf(-D->m11, D->m23, M_31a);
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32 = fmaf(-D->m12, D->m23, M_32a);
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40 = fmaf(-D->m20, D->m03, M_40a);
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41 = fmaf(-D->m21, D->m03, M_41a);
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42 = fmaf(-D->m22, D->m03, M_42a);
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50 = fmaf(-D->m00, D->m13, M_50a);
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51 = fmaf(-D->m01, D->m13, M_51a);
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52 = fmaf(-D->m02, D->m13, M_52a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -6047,8 +6198,8 @@ static inline void ksl_CoAdf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf_fused(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = c->m0 * x[3], power_c = fmaf(c->m1, x[4], power_a),
-      power_e = fmaf(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+  const float power_a = KSL_MULF(c->m0, x[3]), power_c = fmaf(c->m1, x[4], power_a),
+      power_e = fmaf(c->m2, x[5], power_c), power_f = KSL_MULF(c->m3, x[0]),
       power_h = fmaf(c->m4, x[1], power_f), power_j = fmaf(c->m5, x[2], power_h),
       power = power_e + power_j;
   return power;
@@ -6061,15 +6212,15 @@ static inline float ksl_reciprocal_productf_fused(const ksl_coscrewf_t *c, const
      barring over- and underflow. */
 static inline void ksl_cross_scf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = s->m4 * c->m2, co_0 = fmaf(-s->m5, c->m1, co_0a);
-  const float co_1a = s->m5 * c->m0, co_1 = fmaf(-s->m3, c->m2, co_1a);
-  const float co_2a = s->m3 * c->m1, co_2 = fmaf(-s->m4, c->m0, co_2a);
-  const float co_3a = s->m1 * c->m2, co_3c = fmaf(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
-      co_3f = fmaf(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4c = fmaf(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
-      co_4f = fmaf(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5c = fmaf(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
-      co_5f = fmaf(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0 = fmaf(-s->m5, c->m1, co_0a);
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1 = fmaf(-s->m3, c->m2, co_1a);
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2 = fmaf(-s->m4, c->m0, co_2a);
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3c = fmaf(-s->m2, c->m1, co_3a),
+      co_3d = KSL_MULF(s->m4, c->m5), co_3f = fmaf(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4c = fmaf(-s->m0, c->m2, co_4a),
+      co_4d = KSL_MULF(s->m5, c->m3), co_4f = fmaf(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5c = fmaf(-s->m1, c->m0, co_5a),
+      co_5d = KSL_MULF(s->m3, c->m4), co_5f = fmaf(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6085,9 +6236,9 @@ static inline void ksl_cross_scf_fused(const ksl_screwf_t *s, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_cross_scaf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = s->m4 * c->m5, co_3 = fmaf(-s->m5, c->m4, co_3a);
-  const float co_4a = s->m5 * c->m3, co_4 = fmaf(-s->m3, c->m5, co_4a);
-  const float co_5a = s->m3 * c->m4, co_5 = fmaf(-s->m4, c->m3, co_5a);
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3 = fmaf(-s->m5, c->m4, co_3a);
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4 = fmaf(-s->m3, c->m5, co_4a);
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5 = fmaf(-s->m4, c->m3, co_5a);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6103,18 +6254,18 @@ static inline void ksl_cross_scaf_fused(const ksl_screwf_t *s, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m01 * c->m1, w_0 = fmaf(D->m02, c->m2, w_0a);
-  const float w_1a = D->m11 * c->m1, w_1 = fmaf(D->m12, c->m2, w_1a);
-  const float w_2a = D->m21 * c->m1, w_2 = fmaf(D->m22, c->m2, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6130,18 +6281,18 @@ static inline void ksl_constraint_ctxf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m02, c->m2, w_0a);
-  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m12, c->m2, w_1a);
-  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m22, c->m2, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6157,18 +6308,18 @@ static inline void ksl_constraint_ctyf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m01, c->m1, w_0a);
-  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m11, c->m1, w_1a);
-  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m21, c->m1, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0 = fmaf(D->m01, c->m1, w_0a);
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1 = fmaf(D->m11, c->m1, w_1a);
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2 = fmaf(D->m21, c->m1, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6184,18 +6335,18 @@ static inline void ksl_constraint_ctzf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m01 * c->m4, w_3 = fmaf(D->m02, c->m5, w_3a);
-  const float w_4a = D->m11 * c->m4, w_4 = fmaf(D->m12, c->m5, w_4a);
-  const float w_5a = D->m21 * c->m4, w_5 = fmaf(D->m22, c->m5, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6211,18 +6362,18 @@ static inline void ksl_constraint_crxf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m02, c->m5, w_3a);
-  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m12, c->m5, w_4a);
-  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m22, c->m5, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6238,18 +6389,18 @@ static inline void ksl_constraint_cryf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m01, c->m4, w_3a);
-  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m11, c->m4, w_4a);
-  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m21, c->m4, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3 = fmaf(D->m01, c->m4, w_3a);
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4 = fmaf(D->m11, c->m4, w_4a);
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5 = fmaf(D->m21, c->m4, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6265,12 +6416,12 @@ static inline void ksl_constraint_crzf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_working_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6286,12 +6437,12 @@ static inline void ksl_working_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_working_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6307,12 +6458,12 @@ static inline void ksl_working_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_working_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6327,9 +6478,9 @@ static inline void ksl_working_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6344,9 +6495,9 @@ static inline void ksl_working_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6361,9 +6512,9 @@ static inline void ksl_working_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6385,10 +6536,10 @@ static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -6402,13 +6553,13 @@ static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const doub
      and underflow. */
 static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0b = q1->y * q2->z, qo_0d = fma(-q1->z, q2->y, qo_0b),
+  const double qo_0b = KSL_MUL(q1->y, q2->z), qo_0d = fma(-q1->z, q2->y, qo_0b),
       qo_0e = fma(q1->x, q2->w, qo_0d), qo_0 = fma(q1->w, q2->x, qo_0e);
-  const double qo_1a = q1->z * q2->x, qo_1c = fma(-q1->x, q2->z, qo_1a),
+  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1c = fma(-q1->x, q2->z, qo_1a),
       qo_1e = fma(q1->y, q2->w, qo_1c), qo_1 = fma(q1->w, q2->y, qo_1e);
-  const double qo_2a = q1->x * q2->y, qo_2c = fma(-q1->y, q2->x, qo_2a),
+  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2c = fma(-q1->y, q2->x, qo_2a),
       qo_2e = fma(q1->z, q2->w, qo_2c), qo_2 = fma(q1->w, q2->z, qo_2e);
-  const double qo_3b = q1->x * q2->x, qo_3d = fma(q1->y, q2->y, qo_3b),
+  const double qo_3b = KSL_MUL(q1->x, q2->x), qo_3d = fma(q1->y, q2->y, qo_3b),
       qo_3f = fma(q1->z, q2->z, qo_3d), qo_3 = fma(q1->w, q2->w, -qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6423,13 +6574,13 @@ static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_qu
      barring over- and underflow. */
 static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0c = fma(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0c = fma(-q1->x, q2->w, qo_0a),
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1c = fma(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MUL(q1->w, q2->y), qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2c = fma(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MUL(q1->w, q2->z), qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3c = fma(q1->y, q2->y, qo_3a),
       qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6444,13 +6595,13 @@ static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
      barring over- and underflow. */
 static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0c = fma(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0c = fma(-q1->w, q2->x, qo_0a),
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1c = fma(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2c = fma(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3c = fma(q1->y, q2->y, qo_3a),
       qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6465,17 +6616,17 @@ static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
      and underflow. */
 static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0 = fma(-q->z, v->y, c_0a);
-  const double c_1a = q->z * v->x, c_1 = fma(-q->x, v->z, c_1a);
-  const double c_2a = q->x * v->y, c_2 = fma(-q->y, v->x, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->y * t_2, turn_0c = fma(-q->z, t_1, turn_0a),
+  const double c_0a = KSL_MUL(q->y, v->z), c_0 = fma(-q->z, v->y, c_0a);
+  const double c_1a = KSL_MUL(q->z, v->x), c_1 = fma(-q->x, v->z, c_1a);
+  const double c_2a = KSL_MUL(q->x, v->y), c_2 = fma(-q->y, v->x, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0c = fma(-q->z, t_1, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->z * t_0, turn_1c = fma(-q->x, t_2, turn_1a),
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1c = fma(-q->x, t_2, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->x * t_1, turn_2c = fma(-q->y, t_0, turn_2a),
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2c = fma(-q->y, t_0, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -6492,17 +6643,17 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
      and underflow. */
 static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0 = fma(-q->y, v->z, c_0a);
-  const double c_1a = q->x * v->z, c_1 = fma(-q->z, v->x, c_1a);
-  const double c_2a = q->y * v->x, c_2 = fma(-q->x, v->y, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->z * t_1, turn_0c = fma(-q->y, t_2, turn_0a),
+  const double c_0a = KSL_MUL(q->z, v->y), c_0 = fma(-q->y, v->z, c_0a);
+  const double c_1a = KSL_MUL(q->x, v->z), c_1 = fma(-q->z, v->x, c_1a);
+  const double c_2a = KSL_MUL(q->y, v->x), c_2 = fma(-q->x, v->y, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0c = fma(-q->y, t_2, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->x * t_2, turn_1c = fma(-q->z, t_0, turn_1a),
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1c = fma(-q->z, t_0, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->y * t_0, turn_2c = fma(-q->x, t_1, turn_2a),
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2c = fma(-q->x, t_1, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -6517,10 +6668,10 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -6534,13 +6685,13 @@ static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const fl
      and underflow. */
 static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->y * q2->z, qo_0d = fmaf(-q1->z, q2->y, qo_0b),
+  const float qo_0b = KSL_MULF(q1->y, q2->z), qo_0d = fmaf(-q1->z, q2->y, qo_0b),
       qo_0e = fmaf(q1->x, q2->w, qo_0d), qo_0 = fmaf(q1->w, q2->x, qo_0e);
-  const float qo_1a = q1->z * q2->x, qo_1c = fmaf(-q1->x, q2->z, qo_1a),
+  const float qo_1a = KSL_MULF(q1->z, q2->x), qo_1c = fmaf(-q1->x, q2->z, qo_1a),
       qo_1e = fmaf(q1->y, q2->w, qo_1c), qo_1 = fmaf(q1->w, q2->y, qo_1e);
-  const float qo_2a = q1->x * q2->y, qo_2c = fmaf(-q1->y, q2->x, qo_2a),
+  const float qo_2a = KSL_MULF(q1->x, q2->y), qo_2c = fmaf(-q1->y, q2->x, qo_2a),
       qo_2e = fmaf(q1->z, q2->w, qo_2c), qo_2 = fmaf(q1->w, q2->z, qo_2e);
-  const float qo_3b = q1->x * q2->x, qo_3d = fmaf(q1->y, q2->y, qo_3b),
+  const float qo_3b = KSL_MULF(q1->x, q2->x), qo_3d = fmaf(q1->y, q2->y, qo_3b),
       qo_3f = fmaf(q1->z, q2->z, qo_3d), qo_3 = fmaf(q1->w, q2->w, -qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6555,13 +6706,13 @@ static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->x, qo_0c = fmaf(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+  const float qo_0a = KSL_MULF(q1->w, q2->x), qo_0c = fmaf(-q1->x, q2->w, qo_0a),
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1c = fmaf(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MULF(q1->w, q2->y), qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2c = fmaf(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MULF(q1->w, q2->z), qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3c = fmaf(q1->y, q2->y, qo_3a),
       qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6576,13 +6727,13 @@ static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
      barring over- and underflow. */
 static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->x * q2->w, qo_0c = fmaf(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0c = fmaf(-q1->w, q2->x, qo_0a),
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1c = fmaf(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2c = fmaf(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3c = fmaf(q1->y, q2->y, qo_3a),
       qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -6597,17 +6748,17 @@ static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
      and underflow. */
 static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->y * v->z, c_0 = fmaf(-q->z, v->y, c_0a);
-  const float c_1a = q->z * v->x, c_1 = fmaf(-q->x, v->z, c_1a);
-  const float c_2a = q->x * v->y, c_2 = fmaf(-q->y, v->x, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->y * t_2, turn_0c = fmaf(-q->z, t_1, turn_0a),
+  const float c_0a = KSL_MULF(q->y, v->z), c_0 = fmaf(-q->z, v->y, c_0a);
+  const float c_1a = KSL_MULF(q->z, v->x), c_1 = fmaf(-q->x, v->z, c_1a);
+  const float c_2a = KSL_MULF(q->x, v->y), c_2 = fmaf(-q->y, v->x, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->y, t_2), turn_0c = fmaf(-q->z, t_1, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->z * t_0, turn_1c = fmaf(-q->x, t_2, turn_1a),
+  const float turn_1a = KSL_MULF(q->z, t_0), turn_1c = fmaf(-q->x, t_2, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->x * t_1, turn_2c = fmaf(-q->y, t_0, turn_2a),
+  const float turn_2a = KSL_MULF(q->x, t_1), turn_2c = fmaf(-q->y, t_0, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
@@ -6624,17 +6775,17 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
      and underflow. */
 static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->z * v->y, c_0 = fmaf(-q->y, v->z, c_0a);
-  const float c_1a = q->x * v->z, c_1 = fmaf(-q->z, v->x, c_1a);
-  const float c_2a = q->y * v->x, c_2 = fmaf(-q->x, v->y, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->z * t_1, turn_0c = fmaf(-q->y, t_2, turn_0a),
+  const float c_0a = KSL_MULF(q->z, v->y), c_0 = fmaf(-q->y, v->z, c_0a);
+  const float c_1a = KSL_MULF(q->x, v->z), c_1 = fmaf(-q->z, v->x, c_1a);
+  const float c_2a = KSL_MULF(q->y, v->x), c_2 = fmaf(-q->x, v->y, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->z, t_1), turn_0c = fmaf(-q->y, t_2, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->x * t_2, turn_1c = fmaf(-q->z, t_0, turn_1a),
+  const float turn_1a = KSL_MULF(q->x, t_2), turn_1c = fmaf(-q->z, t_0, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->y * t_0, turn_2c = fmaf(-q->x, t_1, turn_2a),
+  const float turn_2a = KSL_MULF(q->y, t_0), turn_2c = fmaf(-q->x, t_1, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
@@ -6667,51 +6818,54 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_2b = fma(-self->m02, self->m02, 1.0),
       defect_2d = fma(-self->m12, self->m12, defect_2b),
       defect_2 = fma(-self->m22, self->m22, defect_2d);
-  const double defect_3a = self->m00 * self->m01, defect_3c = fma(self->m10, self->m11, defect_3a),
+  const double defect_3a = KSL_MUL(self->m00, self->m01),
+      defect_3c = fma(self->m10, self->m11, defect_3a),
       defect_3e = fma(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = self->m00 * self->m02, defect_4c = fma(self->m10, self->m12, defect_4a),
+  const double defect_4a = KSL_MUL(self->m00, self->m02),
+      defect_4c = fma(self->m10, self->m12, defect_4a),
       defect_4e = fma(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = self->m01 * self->m02, defect_5c = fma(self->m11, self->m12, defect_5a),
+  const double defect_5a = KSL_MUL(self->m01, self->m02),
+      defect_5c = fma(self->m11, self->m12, defect_5a),
       defect_5e = fma(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double self_00_new_a = self->m00 * correction_0,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double self_00_new_a = KSL_MUL(self->m00, correction_0),
       self_00_new_c = fma(self->m01, correction_3, self_00_new_a),
       self_00_new_e = fma(self->m02, correction_4, self_00_new_c),
       self_00_new = self->m00 + self_00_new_e;
-  const double self_01_new_a = self->m00 * correction_3,
+  const double self_01_new_a = KSL_MUL(self->m00, correction_3),
       self_01_new_c = fma(self->m01, correction_1, self_01_new_a),
       self_01_new_e = fma(self->m02, correction_5, self_01_new_c),
       self_01_new = self_01_new_e + self->m01;
-  const double self_02_new_a = self->m00 * correction_4,
+  const double self_02_new_a = KSL_MUL(self->m00, correction_4),
       self_02_new_c = fma(self->m01, correction_5, self_02_new_a),
       self_02_new_e = fma(self->m02, correction_2, self_02_new_c),
       self_02_new = self_02_new_e + self->m02;
-  const double self_10_new_a = self->m10 * correction_0,
+  const double self_10_new_a = KSL_MUL(self->m10, correction_0),
       self_10_new_c = fma(self->m11, correction_3, self_10_new_a),
       self_10_new_e = fma(self->m12, correction_4, self_10_new_c),
       self_10_new = self->m10 + self_10_new_e;
-  const double self_11_new_a = self->m10 * correction_3,
+  const double self_11_new_a = KSL_MUL(self->m10, correction_3),
       self_11_new_c = fma(self->m11, correction_1, self_11_new_a),
       self_11_new_e = fma(self->m12, correction_5, self_11_new_c),
       self_11_new = self_11_new_e + self->m11;
-  const double self_12_new_a = self->m10 * correction_4,
+  const double self_12_new_a = KSL_MUL(self->m10, correction_4),
       self_12_new_c = fma(self->m11, correction_5, self_12_new_a),
       self_12_new_e = fma(self->m12, correction_2, self_12_new_c),
       self_12_new = self_12_new_e + self->m12;
-  const double self_20_new_a = self->m20 * correction_0,
+  const double self_20_new_a = KSL_MUL(self->m20, correction_0),
       self_20_new_c = fma(self->m21, correction_3, self_20_new_a),
       self_20_new_e = fma(self->m22, correction_4, self_20_new_c),
       self_20_new = self->m20 + self_20_new_e;
-  const double self_21_new_a = self->m20 * correction_3,
+  const double self_21_new_a = KSL_MUL(self->m20, correction_3),
       self_21_new_c = fma(self->m21, correction_1, self_21_new_a),
       self_21_new_e = fma(self->m22, correction_5, self_21_new_c),
       self_21_new = self_21_new_e + self->m21;
-  const double self_22_new_a = self->m20 * correction_4,
+  const double self_22_new_a = KSL_MUL(self->m20, correction_4),
       self_22_new_c = fma(self->m21, correction_5, self_22_new_a),
       self_22_new_e = fma(self->m22, correction_2, self_22_new_c),
       self_22_new = self_22_new_e + self->m22;
@@ -6738,35 +6892,35 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
       defect_1 = fma(-R->m21, R->m21, defect_1d);
   const double defect_2b = fma(-R->m02, R->m02, 1.0), defect_2d = fma(-R->m12, R->m12, defect_2b),
       defect_2 = fma(-R->m22, R->m22, defect_2d);
-  const double defect_3a = R->m00 * R->m01, defect_3c = fma(R->m10, R->m11, defect_3a),
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c = fma(R->m10, R->m11, defect_3a),
       defect_3e = fma(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = R->m00 * R->m02, defect_4c = fma(R->m10, R->m12, defect_4a),
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c = fma(R->m10, R->m12, defect_4a),
       defect_4e = fma(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = R->m01 * R->m02, defect_5c = fma(R->m11, R->m12, defect_5a),
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c = fma(R->m11, R->m12, defect_5a),
       defect_5e = fma(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double Ro_00a = R->m00 * correction_0, Ro_00c = fma(R->m01, correction_3, Ro_00a),
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double Ro_00a = KSL_MUL(R->m00, correction_0), Ro_00c = fma(R->m01, correction_3, Ro_00a),
       Ro_00e = fma(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
-  const double Ro_01a = R->m00 * correction_3, Ro_01c = fma(R->m01, correction_1, Ro_01a),
+  const double Ro_01a = KSL_MUL(R->m00, correction_3), Ro_01c = fma(R->m01, correction_1, Ro_01a),
       Ro_01e = fma(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
-  const double Ro_02a = R->m00 * correction_4, Ro_02c = fma(R->m01, correction_5, Ro_02a),
+  const double Ro_02a = KSL_MUL(R->m00, correction_4), Ro_02c = fma(R->m01, correction_5, Ro_02a),
       Ro_02e = fma(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
-  const double Ro_10a = R->m10 * correction_0, Ro_10c = fma(R->m11, correction_3, Ro_10a),
+  const double Ro_10a = KSL_MUL(R->m10, correction_0), Ro_10c = fma(R->m11, correction_3, Ro_10a),
       Ro_10e = fma(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
-  const double Ro_11a = R->m10 * correction_3, Ro_11c = fma(R->m11, correction_1, Ro_11a),
+  const double Ro_11a = KSL_MUL(R->m10, correction_3), Ro_11c = fma(R->m11, correction_1, Ro_11a),
       Ro_11e = fma(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
-  const double Ro_12a = R->m10 * correction_4, Ro_12c = fma(R->m11, correction_5, Ro_12a),
+  const double Ro_12a = KSL_MUL(R->m10, correction_4), Ro_12c = fma(R->m11, correction_5, Ro_12a),
       Ro_12e = fma(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
-  const double Ro_20a = R->m20 * correction_0, Ro_20c = fma(R->m21, correction_3, Ro_20a),
+  const double Ro_20a = KSL_MUL(R->m20, correction_0), Ro_20c = fma(R->m21, correction_3, Ro_20a),
       Ro_20e = fma(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
-  const double Ro_21a = R->m20 * correction_3, Ro_21c = fma(R->m21, correction_1, Ro_21a),
+  const double Ro_21a = KSL_MUL(R->m20, correction_3), Ro_21c = fma(R->m21, correction_1, Ro_21a),
       Ro_21e = fma(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
-  const double Ro_22a = R->m20 * correction_4, Ro_22c = fma(R->m21, correction_5, Ro_22a),
+  const double Ro_22a = KSL_MUL(R->m20, correction_4), Ro_22c = fma(R->m21, correction_5, Ro_22a),
       Ro_22e = fma(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -6794,51 +6948,54 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_2b = fmaf(-self->m02, self->m02, 1.0f),
       defect_2d = fmaf(-self->m12, self->m12, defect_2b),
       defect_2 = fmaf(-self->m22, self->m22, defect_2d);
-  const float defect_3a = self->m00 * self->m01, defect_3c = fmaf(self->m10, self->m11, defect_3a),
+  const float defect_3a = KSL_MULF(self->m00, self->m01),
+      defect_3c = fmaf(self->m10, self->m11, defect_3a),
       defect_3e = fmaf(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = self->m00 * self->m02, defect_4c = fmaf(self->m10, self->m12, defect_4a),
+  const float defect_4a = KSL_MULF(self->m00, self->m02),
+      defect_4c = fmaf(self->m10, self->m12, defect_4a),
       defect_4e = fmaf(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = self->m01 * self->m02, defect_5c = fmaf(self->m11, self->m12, defect_5a),
+  const float defect_5a = KSL_MULF(self->m01, self->m02),
+      defect_5c = fmaf(self->m11, self->m12, defect_5a),
       defect_5e = fmaf(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float self_00_new_a = self->m00 * correction_0,
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float self_00_new_a = KSL_MULF(self->m00, correction_0),
       self_00_new_c = fmaf(self->m01, correction_3, self_00_new_a),
       self_00_new_e = fmaf(self->m02, correction_4, self_00_new_c),
       self_00_new = self->m00 + self_00_new_e;
-  const float self_01_new_a = self->m00 * correction_3,
+  const float self_01_new_a = KSL_MULF(self->m00, correction_3),
       self_01_new_c = fmaf(self->m01, correction_1, self_01_new_a),
       self_01_new_e = fmaf(self->m02, correction_5, self_01_new_c),
       self_01_new = self_01_new_e + self->m01;
-  const float self_02_new_a = self->m00 * correction_4,
+  const float self_02_new_a = KSL_MULF(self->m00, correction_4),
       self_02_new_c = fmaf(self->m01, correction_5, self_02_new_a),
       self_02_new_e = fmaf(self->m02, correction_2, self_02_new_c),
       self_02_new = self_02_new_e + self->m02;
-  const float self_10_new_a = self->m10 * correction_0,
+  const float self_10_new_a = KSL_MULF(self->m10, correction_0),
       self_10_new_c = fmaf(self->m11, correction_3, self_10_new_a),
       self_10_new_e = fmaf(self->m12, correction_4, self_10_new_c),
       self_10_new = self->m10 + self_10_new_e;
-  const float self_11_new_a = self->m10 * correction_3,
+  const float self_11_new_a = KSL_MULF(self->m10, correction_3),
       self_11_new_c = fmaf(self->m11, correction_1, self_11_new_a),
       self_11_new_e = fmaf(self->m12, correction_5, self_11_new_c),
       self_11_new = self_11_new_e + self->m11;
-  const float self_12_new_a = self->m10 * correction_4,
+  const float self_12_new_a = KSL_MULF(self->m10, correction_4),
       self_12_new_c = fmaf(self->m11, correction_5, self_12_new_a),
       self_12_new_e = fmaf(self->m12, correction_2, self_12_new_c),
       self_12_new = self_12_new_e + self->m12;
-  const float self_20_new_a = self->m20 * correction_0,
+  const float self_20_new_a = KSL_MULF(self->m20, correction_0),
       self_20_new_c = fmaf(self->m21, correction_3, self_20_new_a),
       self_20_new_e = fmaf(self->m22, correction_4, self_20_new_c),
       self_20_new = self->m20 + self_20_new_e;
-  const float self_21_new_a = self->m20 * correction_3,
+  const float self_21_new_a = KSL_MULF(self->m20, correction_3),
       self_21_new_c = fmaf(self->m21, correction_1, self_21_new_a),
       self_21_new_e = fmaf(self->m22, correction_5, self_21_new_c),
       self_21_new = self_21_new_e + self->m21;
-  const float self_22_new_a = self->m20 * correction_4,
+  const float self_22_new_a = KSL_MULF(self->m20, correction_4),
       self_22_new_c = fmaf(self->m21, correction_5, self_22_new_a),
       self_22_new_e = fmaf(self->m22, correction_2, self_22_new_c),
       self_22_new = self_22_new_e + self->m22;
@@ -6865,35 +7022,35 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
       defect_1 = fmaf(-R->m21, R->m21, defect_1d);
   const float defect_2b = fmaf(-R->m02, R->m02, 1.0f), defect_2d = fmaf(-R->m12, R->m12, defect_2b),
       defect_2 = fmaf(-R->m22, R->m22, defect_2d);
-  const float defect_3a = R->m00 * R->m01, defect_3c = fmaf(R->m10, R->m11, defect_3a),
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c = fmaf(R->m10, R->m11, defect_3a),
       defect_3e = fmaf(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = R->m00 * R->m02, defect_4c = fmaf(R->m10, R->m12, defect_4a),
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c = fmaf(R->m10, R->m12, defect_4a),
       defect_4e = fmaf(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = R->m01 * R->m02, defect_5c = fmaf(R->m11, R->m12, defect_5a),
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c = fmaf(R->m11, R->m12, defect_5a),
       defect_5e = fmaf(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float Ro_00a = R->m00 * correction_0, Ro_00c = fmaf(R->m01, correction_3, Ro_00a),
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float Ro_00a = KSL_MULF(R->m00, correction_0), Ro_00c = fmaf(R->m01, correction_3, Ro_00a),
       Ro_00e = fmaf(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
-  const float Ro_01a = R->m00 * correction_3, Ro_01c = fmaf(R->m01, correction_1, Ro_01a),
+  const float Ro_01a = KSL_MULF(R->m00, correction_3), Ro_01c = fmaf(R->m01, correction_1, Ro_01a),
       Ro_01e = fmaf(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
-  const float Ro_02a = R->m00 * correction_4, Ro_02c = fmaf(R->m01, correction_5, Ro_02a),
+  const float Ro_02a = KSL_MULF(R->m00, correction_4), Ro_02c = fmaf(R->m01, correction_5, Ro_02a),
       Ro_02e = fmaf(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
-  const float Ro_10a = R->m10 * correction_0, Ro_10c = fmaf(R->m11, correction_3, Ro_10a),
+  const float Ro_10a = KSL_MULF(R->m10, correction_0), Ro_10c = fmaf(R->m11, correction_3, Ro_10a),
       Ro_10e = fmaf(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
-  const float Ro_11a = R->m10 * correction_3, Ro_11c = fmaf(R->m11, correction_1, Ro_11a),
+  const float Ro_11a = KSL_MULF(R->m10, correction_3), Ro_11c = fmaf(R->m11, correction_1, Ro_11a),
       Ro_11e = fmaf(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
-  const float Ro_12a = R->m10 * correction_4, Ro_12c = fmaf(R->m11, correction_5, Ro_12a),
+  const float Ro_12a = KSL_MULF(R->m10, correction_4), Ro_12c = fmaf(R->m11, correction_5, Ro_12a),
       Ro_12e = fmaf(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
-  const float Ro_20a = R->m20 * correction_0, Ro_20c = fmaf(R->m21, correction_3, Ro_20a),
+  const float Ro_20a = KSL_MULF(R->m20, correction_0), Ro_20c = fmaf(R->m21, correction_3, Ro_20a),
       Ro_20e = fmaf(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
-  const float Ro_21a = R->m20 * correction_3, Ro_21c = fmaf(R->m21, correction_1, Ro_21a),
+  const float Ro_21a = KSL_MULF(R->m20, correction_3), Ro_21c = fmaf(R->m21, correction_1, Ro_21a),
       Ro_21e = fmaf(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
-  const float Ro_22a = R->m20 * correction_4, Ro_22c = fmaf(R->m21, correction_5, Ro_22a),
+  const float Ro_22a = KSL_MULF(R->m20, correction_4), Ro_22c = fmaf(R->m21, correction_5, Ro_22a),
       Ro_22e = fmaf(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -6920,16 +7077,16 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_scale_fused(ksl_inertia_t *self, const double a) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -7009,12 +7166,12 @@ static inline void ksl_subtract_BB_fused(const ksl_inertia_t *B1, const ksl_iner
      formula; barring over- and underflow. */
 static inline void ksl_inertia_from_com_fused(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
@@ -7041,18 +7198,21 @@ static inline void ksl_inertia_from_com_fused(const double m, const ksl_vec3_t *
      barring over- and underflow. */
 static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co) {
-  const double co_0b = B->h.z * s->m4, co_0d = fma(-B->h.y, s->m5, co_0b),
+  const double co_0b = KSL_MUL(B->h.z, s->m4), co_0d = fma(-B->h.y, s->m5, co_0b),
       co_0 = fma(B->m, s->m0, co_0d);
-  const double co_1b = B->h.x * s->m5, co_1d = fma(-B->h.z, s->m3, co_1b),
+  const double co_1b = KSL_MUL(B->h.x, s->m5), co_1d = fma(-B->h.z, s->m3, co_1b),
       co_1 = fma(B->m, s->m1, co_1d);
-  const double co_2b = B->h.y * s->m3, co_2d = fma(-B->h.x, s->m4, co_2b),
+  const double co_2b = KSL_MUL(B->h.y, s->m3), co_2d = fma(-B->h.x, s->m4, co_2b),
       co_2 = fma(B->m, s->m2, co_2d);
-  const double co_3a = B->h.y * s->m2, co_3c = fma(-B->h.z, s->m1, co_3a), co_3d = B->xx * s->m3,
-      co_3f = fma(B->xy, s->m4, co_3d), co_3h = fma(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4c = fma(-B->h.x, s->m2, co_4a), co_4d = B->yy * s->m4,
-      co_4f = fma(B->xy, s->m3, co_4d), co_4h = fma(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5c = fma(-B->h.y, s->m0, co_5a), co_5d = B->zz * s->m5,
-      co_5f = fma(B->xz, s->m3, co_5d), co_5h = fma(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3c = fma(-B->h.z, s->m1, co_3a),
+      co_3d = KSL_MUL(B->xx, s->m3), co_3f = fma(B->xy, s->m4, co_3d),
+      co_3h = fma(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4c = fma(-B->h.x, s->m2, co_4a),
+      co_4d = KSL_MUL(B->yy, s->m4), co_4f = fma(B->xy, s->m3, co_4d),
+      co_4h = fma(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5c = fma(-B->h.y, s->m0, co_5a),
+      co_5d = KSL_MUL(B->zz, s->m5), co_5f = fma(B->xz, s->m3, co_5d),
+      co_5h = fma(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7068,19 +7228,23 @@ static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double across_0a = B->h.z * s->m4, across_0 = fma(-B->h.y, s->m5, across_0a);
-  const double across_1a = B->h.x * s->m5, across_1 = fma(-B->h.z, s->m3, across_1a);
-  const double across_2a = B->h.y * s->m3, across_2 = fma(-B->h.x, s->m4, across_2a);
-  const double p_0a = B->m * s->m0, p_0 = fma(2.0, across_0, p_0a);
-  const double p_1a = B->m * s->m1, p_1 = fma(2.0, across_1, p_1a);
-  const double p_2a = B->m * s->m2, p_2 = fma(2.0, across_2, p_2a);
-  const double L_0a = B->xx * s->m3, L_0c = fma(B->xy, s->m4, L_0a), L_0 = fma(B->xz, s->m5, L_0c);
-  const double L_1a = B->yy * s->m4, L_1c = fma(B->xy, s->m3, L_1a), L_1 = fma(B->yz, s->m5, L_1c);
-  const double L_2a = B->zz * s->m5, L_2c = fma(B->xz, s->m3, L_2a), L_2 = fma(B->yz, s->m4, L_2c);
-  const double twice_a = s->m0 * p_0, twice_c = fma(s->m1, p_1, twice_a),
-      twice_e = fma(s->m2, p_2, twice_c), twice_f = s->m3 * L_0, twice_h = fma(s->m4, L_1, twice_f),
-      twice_j = fma(s->m5, L_2, twice_h), twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0 = fma(-B->h.y, s->m5, across_0a);
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1 = fma(-B->h.z, s->m3, across_1a);
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2 = fma(-B->h.x, s->m4, across_2a);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = fma(2.0, across_0, p_0a);
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = fma(2.0, across_1, p_1a);
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = fma(2.0, across_2, p_2a);
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0c = fma(B->xy, s->m4, L_0a),
+      L_0 = fma(B->xz, s->m5, L_0c);
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1c = fma(B->xy, s->m3, L_1a),
+      L_1 = fma(B->yz, s->m5, L_1c);
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2c = fma(B->xz, s->m3, L_2a),
+      L_2 = fma(B->yz, s->m4, L_2c);
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_c = fma(s->m1, p_1, twice_a),
+      twice_e = fma(s->m2, p_2, twice_c), twice_f = KSL_MUL(s->m3, L_0),
+      twice_h = fma(s->m4, L_1, twice_f), twice_j = fma(s->m5, L_2, twice_h),
+      twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   return energy;
 }
 
@@ -7092,24 +7256,24 @@ static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
   const double n_0 = fma(0.5, mt_0, B->h.x);
   const double n_1 = fma(0.5, mt_1, B->h.y);
   const double n_2 = fma(0.5, mt_2, B->h.z);
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3 = fma(t->y, n_0, pairs_3a);
-  const double pairs_4a = t->x * n_2, pairs_4 = fma(t->z, n_0, pairs_4a);
-  const double pairs_5a = t->y * n_2, pairs_5 = fma(t->z, n_1, pairs_5a);
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3 = fma(t->y, n_0, pairs_3a);
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4 = fma(t->z, n_0, pairs_4a);
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5 = fma(t->z, n_1, pairs_5a);
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -7140,60 +7304,60 @@ static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_iner
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double RI_0a = D->m00 * B->xx, RI_0c = fma(D->m01, B->xy, RI_0a),
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0c = fma(D->m01, B->xy, RI_0a),
       RI_0 = fma(D->m02, B->xz, RI_0c);
-  const double RI_1a = D->m00 * B->xy, RI_1c = fma(D->m01, B->yy, RI_1a),
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1c = fma(D->m01, B->yy, RI_1a),
       RI_1 = fma(D->m02, B->yz, RI_1c);
-  const double RI_2a = D->m00 * B->xz, RI_2c = fma(D->m01, B->yz, RI_2a),
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2c = fma(D->m01, B->yz, RI_2a),
       RI_2 = fma(D->m02, B->zz, RI_2c);
-  const double RI_3a = D->m10 * B->xx, RI_3c = fma(D->m11, B->xy, RI_3a),
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3c = fma(D->m11, B->xy, RI_3a),
       RI_3 = fma(D->m12, B->xz, RI_3c);
-  const double RI_4a = D->m10 * B->xy, RI_4c = fma(D->m11, B->yy, RI_4a),
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4c = fma(D->m11, B->yy, RI_4a),
       RI_4 = fma(D->m12, B->yz, RI_4c);
-  const double RI_5a = D->m10 * B->xz, RI_5c = fma(D->m11, B->yz, RI_5a),
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5c = fma(D->m11, B->yz, RI_5a),
       RI_5 = fma(D->m12, B->zz, RI_5c);
-  const double RI_6a = D->m20 * B->xx, RI_6c = fma(D->m21, B->xy, RI_6a),
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6c = fma(D->m21, B->xy, RI_6a),
       RI_6 = fma(D->m22, B->xz, RI_6c);
-  const double RI_7a = D->m20 * B->xy, RI_7c = fma(D->m21, B->yy, RI_7a),
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7c = fma(D->m21, B->yy, RI_7a),
       RI_7 = fma(D->m22, B->yz, RI_7c);
-  const double RI_8a = D->m20 * B->xz, RI_8c = fma(D->m21, B->yz, RI_8a),
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8c = fma(D->m21, B->yz, RI_8a),
       RI_8 = fma(D->m22, B->zz, RI_8c);
-  const double turned_1a = D->m00 * B->h.x, turned_1c = fma(D->m01, B->h.y, turned_1a),
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1c = fma(D->m01, B->h.y, turned_1a),
       turned_1 = fma(D->m02, B->h.z, turned_1c);
-  const double turned_2a = D->m10 * B->h.x, turned_2c = fma(D->m11, B->h.y, turned_2a),
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2c = fma(D->m11, B->h.y, turned_2a),
       turned_2 = fma(D->m12, B->h.z, turned_2c);
-  const double turned_3a = D->m20 * B->h.x, turned_3c = fma(D->m21, B->h.y, turned_3a),
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3c = fma(D->m21, B->h.y, turned_3a),
       turned_3 = fma(D->m22, B->h.z, turned_3c);
-  const double turned_4a = D->m00 * RI_0, turned_4c = fma(D->m01, RI_1, turned_4a),
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4c = fma(D->m01, RI_1, turned_4a),
       turned_4 = fma(D->m02, RI_2, turned_4c);
-  const double turned_5a = D->m10 * RI_3, turned_5c = fma(D->m11, RI_4, turned_5a),
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5c = fma(D->m11, RI_4, turned_5a),
       turned_5 = fma(D->m12, RI_5, turned_5c);
-  const double turned_6a = D->m20 * RI_6, turned_6c = fma(D->m21, RI_7, turned_6a),
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6c = fma(D->m21, RI_7, turned_6a),
       turned_6 = fma(D->m22, RI_8, turned_6c);
-  const double turned_7a = D->m10 * RI_0, turned_7c = fma(D->m11, RI_1, turned_7a),
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7c = fma(D->m11, RI_1, turned_7a),
       turned_7 = fma(D->m12, RI_2, turned_7c);
-  const double turned_8a = D->m20 * RI_0, turned_8c = fma(D->m21, RI_1, turned_8a),
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8c = fma(D->m21, RI_1, turned_8a),
       turned_8 = fma(D->m22, RI_2, turned_8c);
-  const double turned_9a = D->m20 * RI_3, turned_9c = fma(D->m21, RI_4, turned_9a),
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9c = fma(D->m21, RI_4, turned_9a),
       turned_9 = fma(D->m22, RI_5, turned_9c);
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
   const double n_0 = fma(0.5, mt_0, turned_1);
   const double n_1 = fma(0.5, mt_1, turned_2);
   const double n_2 = fma(0.5, mt_2, turned_3);
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3 = fma(D->m13, n_0, pairs_3a);
-  const double pairs_4a = D->m03 * n_2, pairs_4 = fma(D->m23, n_0, pairs_4a);
-  const double pairs_5a = D->m13 * n_2, pairs_5 = fma(D->m23, n_1, pairs_5a);
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3 = fma(D->m13, n_0, pairs_3a);
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4 = fma(D->m23, n_0, pairs_4a);
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5 = fma(D->m23, n_1, pairs_5a);
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -7222,16 +7386,16 @@ static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_i
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_scale_fused(ksl_inertiaf_t *self, const float a) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -7311,12 +7475,12 @@ static inline void ksl_subtract_BBf_fused(const ksl_inertiaf_t *B1, const ksl_in
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_from_com_fused(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
@@ -7343,18 +7507,21 @@ static inline void ksl_inertiaf_from_com_fused(const float m, const ksl_vec3f_t 
      barring over- and underflow. */
 static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0b = B->h.z * s->m4, co_0d = fmaf(-B->h.y, s->m5, co_0b),
+  const float co_0b = KSL_MULF(B->h.z, s->m4), co_0d = fmaf(-B->h.y, s->m5, co_0b),
       co_0 = fmaf(B->m, s->m0, co_0d);
-  const float co_1b = B->h.x * s->m5, co_1d = fmaf(-B->h.z, s->m3, co_1b),
+  const float co_1b = KSL_MULF(B->h.x, s->m5), co_1d = fmaf(-B->h.z, s->m3, co_1b),
       co_1 = fmaf(B->m, s->m1, co_1d);
-  const float co_2b = B->h.y * s->m3, co_2d = fmaf(-B->h.x, s->m4, co_2b),
+  const float co_2b = KSL_MULF(B->h.y, s->m3), co_2d = fmaf(-B->h.x, s->m4, co_2b),
       co_2 = fmaf(B->m, s->m2, co_2d);
-  const float co_3a = B->h.y * s->m2, co_3c = fmaf(-B->h.z, s->m1, co_3a), co_3d = B->xx * s->m3,
-      co_3f = fmaf(B->xy, s->m4, co_3d), co_3h = fmaf(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4c = fmaf(-B->h.x, s->m2, co_4a), co_4d = B->yy * s->m4,
-      co_4f = fmaf(B->xy, s->m3, co_4d), co_4h = fmaf(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5c = fmaf(-B->h.y, s->m0, co_5a), co_5d = B->zz * s->m5,
-      co_5f = fmaf(B->xz, s->m3, co_5d), co_5h = fmaf(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3c = fmaf(-B->h.z, s->m1, co_3a),
+      co_3d = KSL_MULF(B->xx, s->m3), co_3f = fmaf(B->xy, s->m4, co_3d),
+      co_3h = fmaf(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4c = fmaf(-B->h.x, s->m2, co_4a),
+      co_4d = KSL_MULF(B->yy, s->m4), co_4f = fmaf(B->xy, s->m3, co_4d),
+      co_4h = fmaf(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5c = fmaf(-B->h.y, s->m0, co_5a),
+      co_5d = KSL_MULF(B->zz, s->m5), co_5f = fmaf(B->xz, s->m3, co_5d),
+      co_5h = fmaf(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7370,20 +7537,23 @@ static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_scre
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float across_0a = B->h.z * s->m4, across_0 = fmaf(-B->h.y, s->m5, across_0a);
-  const float across_1a = B->h.x * s->m5, across_1 = fmaf(-B->h.z, s->m3, across_1a);
-  const float across_2a = B->h.y * s->m3, across_2 = fmaf(-B->h.x, s->m4, across_2a);
-  const float p_0a = B->m * s->m0, p_0 = fmaf(2.0f, across_0, p_0a);
-  const float p_1a = B->m * s->m1, p_1 = fmaf(2.0f, across_1, p_1a);
-  const float p_2a = B->m * s->m2, p_2 = fmaf(2.0f, across_2, p_2a);
-  const float L_0a = B->xx * s->m3, L_0c = fmaf(B->xy, s->m4, L_0a), L_0 = fmaf(B->xz, s->m5, L_0c);
-  const float L_1a = B->yy * s->m4, L_1c = fmaf(B->xy, s->m3, L_1a), L_1 = fmaf(B->yz, s->m5, L_1c);
-  const float L_2a = B->zz * s->m5, L_2c = fmaf(B->xz, s->m3, L_2a), L_2 = fmaf(B->yz, s->m4, L_2c);
-  const float twice_a = s->m0 * p_0, twice_c = fmaf(s->m1, p_1, twice_a),
-      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = s->m3 * L_0,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0 = fmaf(-B->h.y, s->m5, across_0a);
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1 = fmaf(-B->h.z, s->m3, across_1a);
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2 = fmaf(-B->h.x, s->m4, across_2a);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = fmaf(2.0f, across_0, p_0a);
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = fmaf(2.0f, across_1, p_1a);
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = fmaf(2.0f, across_2, p_2a);
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0c = fmaf(B->xy, s->m4, L_0a),
+      L_0 = fmaf(B->xz, s->m5, L_0c);
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1c = fmaf(B->xy, s->m3, L_1a),
+      L_1 = fmaf(B->yz, s->m5, L_1c);
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2c = fmaf(B->xz, s->m3, L_2a),
+      L_2 = fmaf(B->yz, s->m4, L_2c);
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_c = fmaf(s->m1, p_1, twice_a),
+      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = KSL_MULF(s->m3, L_0),
       twice_h = fmaf(s->m4, L_1, twice_f), twice_j = fmaf(s->m5, L_2, twice_h),
       twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float energy = KSL_MULF(0.5f, twice);
   return energy;
 }
 
@@ -7395,24 +7565,24 @@ static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
   const float n_0 = fmaf(0.5f, mt_0, B->h.x);
   const float n_1 = fmaf(0.5f, mt_1, B->h.y);
   const float n_2 = fmaf(0.5f, mt_2, B->h.z);
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3 = fmaf(t->y, n_0, pairs_3a);
-  const float pairs_4a = t->x * n_2, pairs_4 = fmaf(t->z, n_0, pairs_4a);
-  const float pairs_5a = t->y * n_2, pairs_5 = fmaf(t->z, n_1, pairs_5a);
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3 = fmaf(t->y, n_0, pairs_3a);
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4 = fmaf(t->z, n_0, pairs_4a);
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5 = fmaf(t->z, n_1, pairs_5a);
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -7443,60 +7613,60 @@ static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_in
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_fused(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float RI_0a = D->m00 * B->xx, RI_0c = fmaf(D->m01, B->xy, RI_0a),
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0c = fmaf(D->m01, B->xy, RI_0a),
       RI_0 = fmaf(D->m02, B->xz, RI_0c);
-  const float RI_1a = D->m00 * B->xy, RI_1c = fmaf(D->m01, B->yy, RI_1a),
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1c = fmaf(D->m01, B->yy, RI_1a),
       RI_1 = fmaf(D->m02, B->yz, RI_1c);
-  const float RI_2a = D->m00 * B->xz, RI_2c = fmaf(D->m01, B->yz, RI_2a),
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2c = fmaf(D->m01, B->yz, RI_2a),
       RI_2 = fmaf(D->m02, B->zz, RI_2c);
-  const float RI_3a = D->m10 * B->xx, RI_3c = fmaf(D->m11, B->xy, RI_3a),
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3c = fmaf(D->m11, B->xy, RI_3a),
       RI_3 = fmaf(D->m12, B->xz, RI_3c);
-  const float RI_4a = D->m10 * B->xy, RI_4c = fmaf(D->m11, B->yy, RI_4a),
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4c = fmaf(D->m11, B->yy, RI_4a),
       RI_4 = fmaf(D->m12, B->yz, RI_4c);
-  const float RI_5a = D->m10 * B->xz, RI_5c = fmaf(D->m11, B->yz, RI_5a),
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5c = fmaf(D->m11, B->yz, RI_5a),
       RI_5 = fmaf(D->m12, B->zz, RI_5c);
-  const float RI_6a = D->m20 * B->xx, RI_6c = fmaf(D->m21, B->xy, RI_6a),
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6c = fmaf(D->m21, B->xy, RI_6a),
       RI_6 = fmaf(D->m22, B->xz, RI_6c);
-  const float RI_7a = D->m20 * B->xy, RI_7c = fmaf(D->m21, B->yy, RI_7a),
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7c = fmaf(D->m21, B->yy, RI_7a),
       RI_7 = fmaf(D->m22, B->yz, RI_7c);
-  const float RI_8a = D->m20 * B->xz, RI_8c = fmaf(D->m21, B->yz, RI_8a),
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8c = fmaf(D->m21, B->yz, RI_8a),
       RI_8 = fmaf(D->m22, B->zz, RI_8c);
-  const float turned_1a = D->m00 * B->h.x, turned_1c = fmaf(D->m01, B->h.y, turned_1a),
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1c = fmaf(D->m01, B->h.y, turned_1a),
       turned_1 = fmaf(D->m02, B->h.z, turned_1c);
-  const float turned_2a = D->m10 * B->h.x, turned_2c = fmaf(D->m11, B->h.y, turned_2a),
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2c = fmaf(D->m11, B->h.y, turned_2a),
       turned_2 = fmaf(D->m12, B->h.z, turned_2c);
-  const float turned_3a = D->m20 * B->h.x, turned_3c = fmaf(D->m21, B->h.y, turned_3a),
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3c = fmaf(D->m21, B->h.y, turned_3a),
       turned_3 = fmaf(D->m22, B->h.z, turned_3c);
-  const float turned_4a = D->m00 * RI_0, turned_4c = fmaf(D->m01, RI_1, turned_4a),
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4c = fmaf(D->m01, RI_1, turned_4a),
       turned_4 = fmaf(D->m02, RI_2, turned_4c);
-  const float turned_5a = D->m10 * RI_3, turned_5c = fmaf(D->m11, RI_4, turned_5a),
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5c = fmaf(D->m11, RI_4, turned_5a),
       turned_5 = fmaf(D->m12, RI_5, turned_5c);
-  const float turned_6a = D->m20 * RI_6, turned_6c = fmaf(D->m21, RI_7, turned_6a),
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6c = fmaf(D->m21, RI_7, turned_6a),
       turned_6 = fmaf(D->m22, RI_8, turned_6c);
-  const float turned_7a = D->m10 * RI_0, turned_7c = fmaf(D->m11, RI_1, turned_7a),
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7c = fmaf(D->m11, RI_1, turned_7a),
       turned_7 = fmaf(D->m12, RI_2, turned_7c);
-  const float turned_8a = D->m20 * RI_0, turned_8c = fmaf(D->m21, RI_1, turned_8a),
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8c = fmaf(D->m21, RI_1, turned_8a),
       turned_8 = fmaf(D->m22, RI_2, turned_8c);
-  const float turned_9a = D->m20 * RI_3, turned_9c = fmaf(D->m21, RI_4, turned_9a),
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9c = fmaf(D->m21, RI_4, turned_9a),
       turned_9 = fmaf(D->m22, RI_5, turned_9c);
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
   const float n_0 = fmaf(0.5f, mt_0, turned_1);
   const float n_1 = fmaf(0.5f, mt_1, turned_2);
   const float n_2 = fmaf(0.5f, mt_2, turned_3);
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3 = fmaf(D->m13, n_0, pairs_3a);
-  const float pairs_4a = D->m03 * n_2, pairs_4 = fmaf(D->m23, n_0, pairs_4a);
-  const float pairs_5a = D->m13 * n_2, pairs_5 = fmaf(D->m23, n_1, pairs_5a);
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3 = fmaf(D->m13, n_0, pairs_3a);
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4 = fmaf(D->m23, n_0, pairs_4a);
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5 = fmaf(D->m23, n_1, pairs_5a);
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;

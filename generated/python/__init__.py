@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "d2d2eab5b7170794")
+COMPILED: bool = is_compiled("coscrew._gufunc", "fdf3d1d9b8d88da7")
 
 if COMPILED:
     from coscrew._gufunc import (

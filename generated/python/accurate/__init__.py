@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "80836f6a3c4f2d31")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "596cdaafa4d0edb3")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* What keeps every operation rounded once, in the order written, under every flag that compiles.
    KSL_ALLOW_FAST_MATH lets flags through that break that. */
 #ifndef KSL_ROUNDING_H
@@ -22,9 +24,9 @@ define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 #endif
 
-#ifndef KSL_HAS_FMA
 /* Whether the target has an instruction that fuses a product into a sum: in double precision, and
-   (KSL_HAS_FMAF) in single. */
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
 #if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
     defined(__s390x__) || defined(__powerpc64__) || \
     (defined(__riscv_flen) && __riscv_flen >= 64) || \
@@ -33,6 +35,8 @@ define KSL_ALLOW_FAST_MATH to accept that"
 #else
 #define KSL_HAS_FMA 0
 #endif
+#endif
+#ifndef KSL_HAS_FMAF
 #if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
 #define KSL_HAS_FMAF 1
 #else
@@ -40,14 +44,12 @@ define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 #endif
 
-/* Unless KSL_CONTRACT_OFF says that -ffp-contract=off does it: gcc contracts across statements, and
-   must not.  In force to the end of the file that is compiled, or nothing would be inlined. */
-#if !defined(KSL_CONTRACT_OFF)
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off")
 #elif defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)
-#endif
 #endif
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
 #pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
@@ -57,7 +59,8 @@ define KSL_ALLOW_FAST_MATH to accept that"
 /* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
 /* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0. */
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
 static inline double ksl_minus_zero(void) {
   double zero = -0.0;
 #if defined(__x86_64__) || defined(__i386__)
@@ -84,7 +87,8 @@ static inline double ksl_minus_zero(void) {
 /* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
 /* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0. */
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
 static inline float ksl_minus_zerof(void) {
   float zero = -0.0f;
 #if defined(__x86_64__) || defined(__i386__)

@@ -13,10 +13,10 @@
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -30,13 +30,13 @@ static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const doub
      and underflow. */
 static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0b = q1->y * q2->z, qo_0d = fma(-q1->z, q2->y, qo_0b),
+  const double qo_0b = KSL_MUL(q1->y, q2->z), qo_0d = fma(-q1->z, q2->y, qo_0b),
       qo_0e = fma(q1->x, q2->w, qo_0d), qo_0 = fma(q1->w, q2->x, qo_0e);
-  const double qo_1a = q1->z * q2->x, qo_1c = fma(-q1->x, q2->z, qo_1a),
+  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1c = fma(-q1->x, q2->z, qo_1a),
       qo_1e = fma(q1->y, q2->w, qo_1c), qo_1 = fma(q1->w, q2->y, qo_1e);
-  const double qo_2a = q1->x * q2->y, qo_2c = fma(-q1->y, q2->x, qo_2a),
+  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2c = fma(-q1->y, q2->x, qo_2a),
       qo_2e = fma(q1->z, q2->w, qo_2c), qo_2 = fma(q1->w, q2->z, qo_2e);
-  const double qo_3b = q1->x * q2->x, qo_3d = fma(q1->y, q2->y, qo_3b),
+  const double qo_3b = KSL_MUL(q1->x, q2->x), qo_3d = fma(q1->y, q2->y, qo_3b),
       qo_3f = fma(q1->z, q2->z, qo_3d), qo_3 = fma(q1->w, q2->w, -qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -51,13 +51,13 @@ static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_qu
      barring over- and underflow. */
 static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0c = fma(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0c = fma(-q1->x, q2->w, qo_0a),
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1c = fma(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MUL(q1->w, q2->y), qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2c = fma(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MUL(q1->w, q2->z), qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3c = fma(q1->y, q2->y, qo_3a),
       qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -72,13 +72,13 @@ static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
      barring over- and underflow. */
 static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0c = fma(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0c = fma(-q1->w, q2->x, qo_0a),
+      qo_0d = KSL_MUL(q1->z, q2->y), qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1c = fma(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MUL(q1->y, q2->w), qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2c = fma(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MUL(q1->z, q2->w), qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3c = fma(q1->y, q2->y, qo_3a),
       qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -93,17 +93,17 @@ static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
      and underflow. */
 static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0 = fma(-q->z, v->y, c_0a);
-  const double c_1a = q->z * v->x, c_1 = fma(-q->x, v->z, c_1a);
-  const double c_2a = q->x * v->y, c_2 = fma(-q->y, v->x, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->y * t_2, turn_0c = fma(-q->z, t_1, turn_0a),
+  const double c_0a = KSL_MUL(q->y, v->z), c_0 = fma(-q->z, v->y, c_0a);
+  const double c_1a = KSL_MUL(q->z, v->x), c_1 = fma(-q->x, v->z, c_1a);
+  const double c_2a = KSL_MUL(q->x, v->y), c_2 = fma(-q->y, v->x, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0c = fma(-q->z, t_1, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->z * t_0, turn_1c = fma(-q->x, t_2, turn_1a),
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1c = fma(-q->x, t_2, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->x * t_1, turn_2c = fma(-q->y, t_0, turn_2a),
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2c = fma(-q->y, t_0, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -120,17 +120,17 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
      and underflow. */
 static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0 = fma(-q->y, v->z, c_0a);
-  const double c_1a = q->x * v->z, c_1 = fma(-q->z, v->x, c_1a);
-  const double c_2a = q->y * v->x, c_2 = fma(-q->x, v->y, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->z * t_1, turn_0c = fma(-q->y, t_2, turn_0a),
+  const double c_0a = KSL_MUL(q->z, v->y), c_0 = fma(-q->y, v->z, c_0a);
+  const double c_1a = KSL_MUL(q->x, v->z), c_1 = fma(-q->z, v->x, c_1a);
+  const double c_2a = KSL_MUL(q->y, v->x), c_2 = fma(-q->x, v->y, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0c = fma(-q->y, t_2, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->x * t_2, turn_1c = fma(-q->z, t_0, turn_1a),
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1c = fma(-q->z, t_0, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->y * t_0, turn_2c = fma(-q->x, t_1, turn_2a),
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2c = fma(-q->x, t_1, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -145,10 +145,10 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -162,13 +162,13 @@ static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const fl
      and underflow. */
 static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->y * q2->z, qo_0d = fmaf(-q1->z, q2->y, qo_0b),
+  const float qo_0b = KSL_MULF(q1->y, q2->z), qo_0d = fmaf(-q1->z, q2->y, qo_0b),
       qo_0e = fmaf(q1->x, q2->w, qo_0d), qo_0 = fmaf(q1->w, q2->x, qo_0e);
-  const float qo_1a = q1->z * q2->x, qo_1c = fmaf(-q1->x, q2->z, qo_1a),
+  const float qo_1a = KSL_MULF(q1->z, q2->x), qo_1c = fmaf(-q1->x, q2->z, qo_1a),
       qo_1e = fmaf(q1->y, q2->w, qo_1c), qo_1 = fmaf(q1->w, q2->y, qo_1e);
-  const float qo_2a = q1->x * q2->y, qo_2c = fmaf(-q1->y, q2->x, qo_2a),
+  const float qo_2a = KSL_MULF(q1->x, q2->y), qo_2c = fmaf(-q1->y, q2->x, qo_2a),
       qo_2e = fmaf(q1->z, q2->w, qo_2c), qo_2 = fmaf(q1->w, q2->z, qo_2e);
-  const float qo_3b = q1->x * q2->x, qo_3d = fmaf(q1->y, q2->y, qo_3b),
+  const float qo_3b = KSL_MULF(q1->x, q2->x), qo_3d = fmaf(q1->y, q2->y, qo_3b),
       qo_3f = fmaf(q1->z, q2->z, qo_3d), qo_3 = fmaf(q1->w, q2->w, -qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -183,13 +183,13 @@ static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->x, qo_0c = fmaf(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+  const float qo_0a = KSL_MULF(q1->w, q2->x), qo_0c = fmaf(-q1->x, q2->w, qo_0a),
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1c = fmaf(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MULF(q1->w, q2->y), qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2c = fmaf(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MULF(q1->w, q2->z), qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3c = fmaf(q1->y, q2->y, qo_3a),
       qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -204,13 +204,13 @@ static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
      barring over- and underflow. */
 static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->x * q2->w, qo_0c = fmaf(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0c = fmaf(-q1->w, q2->x, qo_0a),
+      qo_0d = KSL_MULF(q1->z, q2->y), qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1c = fmaf(-q1->z, q2->x, qo_1a),
+      qo_1d = KSL_MULF(q1->y, q2->w), qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2c = fmaf(-q1->x, q2->y, qo_2a),
+      qo_2d = KSL_MULF(q1->z, q2->w), qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3c = fmaf(q1->y, q2->y, qo_3a),
       qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -225,17 +225,17 @@ static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
      and underflow. */
 static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->y * v->z, c_0 = fmaf(-q->z, v->y, c_0a);
-  const float c_1a = q->z * v->x, c_1 = fmaf(-q->x, v->z, c_1a);
-  const float c_2a = q->x * v->y, c_2 = fmaf(-q->y, v->x, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->y * t_2, turn_0c = fmaf(-q->z, t_1, turn_0a),
+  const float c_0a = KSL_MULF(q->y, v->z), c_0 = fmaf(-q->z, v->y, c_0a);
+  const float c_1a = KSL_MULF(q->z, v->x), c_1 = fmaf(-q->x, v->z, c_1a);
+  const float c_2a = KSL_MULF(q->x, v->y), c_2 = fmaf(-q->y, v->x, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->y, t_2), turn_0c = fmaf(-q->z, t_1, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->z * t_0, turn_1c = fmaf(-q->x, t_2, turn_1a),
+  const float turn_1a = KSL_MULF(q->z, t_0), turn_1c = fmaf(-q->x, t_2, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->x * t_1, turn_2c = fmaf(-q->y, t_0, turn_2a),
+  const float turn_2a = KSL_MULF(q->x, t_1), turn_2c = fmaf(-q->y, t_0, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
@@ -252,17 +252,17 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
      and underflow. */
 static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->z * v->y, c_0 = fmaf(-q->y, v->z, c_0a);
-  const float c_1a = q->x * v->z, c_1 = fmaf(-q->z, v->x, c_1a);
-  const float c_2a = q->y * v->x, c_2 = fmaf(-q->x, v->y, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->z * t_1, turn_0c = fmaf(-q->y, t_2, turn_0a),
+  const float c_0a = KSL_MULF(q->z, v->y), c_0 = fmaf(-q->y, v->z, c_0a);
+  const float c_1a = KSL_MULF(q->x, v->z), c_1 = fmaf(-q->z, v->x, c_1a);
+  const float c_2a = KSL_MULF(q->y, v->x), c_2 = fmaf(-q->x, v->y, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->z, t_1), turn_0c = fmaf(-q->y, t_2, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->x * t_2, turn_1c = fmaf(-q->z, t_0, turn_1a),
+  const float turn_1a = KSL_MULF(q->x, t_2), turn_1c = fmaf(-q->z, t_0, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->y * t_0, turn_2c = fmaf(-q->x, t_1, turn_2a),
+  const float turn_2a = KSL_MULF(q->y, t_0), turn_2c = fmaf(-q->x, t_1, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
