@@ -131,9 +131,9 @@ def _rows(kernel: Kernel) -> list[str]:
         size = f"[{a.quantity.size}]" if is_array(a) else ""
         lines.append(f"static {c_type(a.quantity, p)} {a.name}[{ROWS}]{size};")
     for number, a in enumerate(kernel.operation.inputs):
-        lines.append(_each(a, f"{_in_memory(a, p)} = number_{p.name}({number}, k, i);"))
-    call = call_of(kernel.operation, p, {a.name: f"{a.name}[i]" for a in arguments}, kernel.tier)
-    lines.append(f"for (int i = 0; i < {ROWS}; i++) {{ {call} }}")
+        lines.append(_each(a, f"{_in_memory(a, p)} = number_{p.name}({number}, entry, row);"))
+    call = call_of(kernel.operation, p, {a.name: f"{a.name}[row]" for a in arguments}, kernel.tier)
+    lines.append(f"for (int row = 0; row < {ROWS}; row++) {{ {call} }}")
     return lines + [_each(a, f"hash = hashed_{p.name}(hash, {_in_memory(a, p)});")
                     for a in kernel.operation.outputs]
 
@@ -143,32 +143,32 @@ def _planes(kernel: Kernel) -> list[str]:
     operation, lines = kernel.operation, []
     for number, a in enumerate(operation.inputs):
         lines += [f"static {p.c_type} in{number}[{a.quantity.size}][{ROWS}];",
-                  _each(a, f"in{number}[k][i] = number_{p.name}({number}, k, i);")]
+                  _each(a, f"in{number}[entry][row] = number_{p.name}({number}, entry, row);")]
     lines += [f"static {p.c_type} out{number}[{a.quantity.size}][{ROWS}];"
               for number, a in enumerate(operation.outputs)]
-    lines += ["INDEPENDENT", f"for (int i = 0; i < {ROWS}; i++) {{"]
+    lines += ["INDEPENDENT", f"for (int row = 0; row < {ROWS}; row++) {{"]
     for a in arguments:
         size = f"[{a.quantity.size}]" if is_array(a) else ""
         lines.append(f"  {c_type(a.quantity, p)} {a.name}{size};")
-    lines += [f"  {a.name}{member(a.quantity, k)} = in{number}[{k}][i];"
+    lines += [f"  {a.name}{member(a.quantity, k)} = in{number}[{k}][row];"
               for number, a in enumerate(operation.inputs) for k in range(a.quantity.size)]
     lines.append("  " + call_of(operation, p, {a.name: a.name for a in arguments}, kernel.tier))
-    lines += [f"  out{number}[{k}][i] = {a.name}{member(a.quantity, k)};"
+    lines += [f"  out{number}[{k}][row] = {a.name}{member(a.quantity, k)};"
               for number, a in enumerate(operation.outputs) for k in range(a.quantity.size)]
-    return [*lines, "}", *(_each(a, f"hash = hashed_{p.name}(hash, out{number}[k][i]);")
+    return [*lines, "}", *(_each(a, f"hash = hashed_{p.name}(hash, out{number}[entry][row]);")
                            for number, a in enumerate(operation.outputs))]
 
 
 def _each(argument: Argument, statement: str) -> str:
-    return (f"for (int i = 0; i < {ROWS}; i++) {{ "
-            f"for (int k = 0; k < {argument.quantity.size}; k++) {{ {statement} }} }}")
+    return (f"for (int row = 0; row < {ROWS}; row++) {{ "
+            f"for (int entry = 0; entry < {argument.quantity.size}; entry++) {{ {statement} }} }}")
 
 
 def _in_memory(argument: Argument, precision: Precision) -> str:
-    """Component k, counted row by row, of row i; matrices lie column by column."""
+    """Component `entry`, counted row by row, of row `row`; matrices lie column by column."""
     rows, columns = argument.quantity.rows_columns if argument.quantity.shape else (1, 1)
-    place = "k" if columns == 1 else f"k % {columns} * {rows} + k / {columns}"
-    return f"(({precision.c_type} *)&{argument.name}[i])[{place}]"
+    place = "entry" if columns == 1 else f"entry % {columns} * {rows} + entry / {columns}"
+    return f"(({precision.c_type} *)&{argument.name}[row])[{place}]"
 
 
 def _numbers(precision: Precision, argument: int, size: int) -> np.ndarray:
