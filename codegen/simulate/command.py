@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.integrators import in_words
 from coscrew_codegen.simulate import SimulateError
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
-                        help="semi-implicit-euler, linear-implicit-euler, rk4, dop853 or radau")
+                        help=in_words())
     parser.add_argument("--precision", choices=("double", "single", "both"),
                         help="precision of the dynamics")
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
