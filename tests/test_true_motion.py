@@ -18,6 +18,7 @@ from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests import mechanisms as m
+from tests.generated_scenes import imported
 from tests.references import figures
 
 OLD = "semi-implicit-euler"
@@ -281,6 +282,25 @@ def test_a_limit_too_stiff_for_its_step_says_so():
     run = integrate(fallen, Plan(1.0, 0.01, NEW, 1e-3, 1, 1))
     assert "not finite at t = 0.3" in run.stopped and "joint j0" in run.stopped
     assert "a limit closes that is too stiff" in run.stopped and "smaller step" in run.stopped
+
+
+@pytest.mark.parametrize("precision", U)
+def test_steps_of_many_states_are_the_same_bits_in_numpy_and_c(precision, tmp_path):
+    """Of states that fly, that are about to touch and that have: each with parts of its own."""
+    its, draw = bouncing("1e9"), np.random.default_rng(9)
+    package = getattr(imported(its.functions, tmp_path), precision)
+    kind = np.dtype(f"f{8 if precision == 'double' else 4}")
+    q = np.concatenate((draw.uniform(-1e-3, 3e-3, 200), [0, 1, np.nan])).astype(kind)[:, None]
+    v = np.concatenate((draw.uniform(-4, 1, 200), [-1e-3, 0, 1])).astype(kind)[:, None]
+    h = kind.type(1e-3)
+    found, wanted = (x.step_leapfrog(h, q, v) for x in (package, getattr(its, precision)))
+    assert len(set(np.asarray(its.double.parts(1e-3, q[:-1], v[:-1])[0]).tolist())) >= 4
+    for x, y in zip(found, wanted, strict=True):
+        assert np.where(x == x, x, 0).tobytes() == np.where(y == y, y, 0).tobytes()
+        assert np.array_equal(np.isnan(x), np.isnan(y)) and np.isnan(x).sum() == 1
+    for state in (0, 7, 201):  # one alone: no leading axis
+        alone = package.step_leapfrog(h, q[state], v[state])
+        assert [x.tobytes() for x in alone] == [x[state].tobytes() for x in wanted]
 
 
 def test_the_default_of_scenes_is_the_default_of_the_list():

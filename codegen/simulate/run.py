@@ -77,25 +77,28 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
                     v = kept(start + (i + more) * h, q, v)
             taken += count
             finite = np.isfinite(q).all() and np.isfinite(v).all()
-            stopped = "" if finite else _where(system, step, start, h, count, *before)
+            stopped = "" if finite else _where(system, plan, start, h, count, *before)
             if finite and alarm:
                 stopped = alarm(count, end, h, q, v)
             yield q, v, taken, stopped
 
 
-def _where(system: System, step: Callable, start: float, h: float, count: int, q: np.ndarray,
+def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np.ndarray,
            v: np.ndarray) -> str:
     """When, after how many of `count` steps from `start`, and in which joint the state stops being
-    finite."""
+    finite; why, and what helps."""
+    step = system.stepper(f"step_{named(plan.integrator).step}")
     for i in range(count):
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):
             break
-    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{_cause(system, h, *before)}"
+    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{_cause(system, plan, h, *before)}"
 
 
-def _cause(system: System, h: float, q: np.ndarray, v: np.ndarray) -> str:
-    """Why a step that starts here may fail, where it is known."""
+def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:
+    """Why a step that starts here may fail, where it is known, and what helps."""
+    if plan.integrator != DEFAULT:
+        return f"; take a smaller step, or integrator {DEFAULT}"
     if system.has("parts") and np.isnan(system.call("parts", h=h, q=q, v=v)[1]):
         return "; a limit closes that is too stiff for parts of this step; take a smaller step"
     return "; take a smaller step"

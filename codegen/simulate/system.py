@@ -15,6 +15,7 @@ from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.scene_text import step_inputs
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
@@ -39,7 +40,8 @@ class System:
     @cached_property
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
-        return {name: tuple(a.name for a in x.inputs) for name, x in self.programs.items()}
+        steps = {f"step_{name}": step_inputs(self.functions) for name in self.functions.steps}
+        return steps | {name: tuple(a.name for a in x.inputs) for name, x in self.programs.items()}
 
     @cached_property
     def programs(self) -> Mapping[str, Program]:
