@@ -20,9 +20,24 @@ Scenes take the operations' Programs from there on:
     simulate/, cost/   compile, run, record, check; what effects and accuracy cost
 """
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from coscrew_codegen.simulate.load import load_scene as load_scene
+    from coscrew_codegen.version import VERSION as __version__
+
+__all__ = ["__version__", "load_scene"]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
 
 def __getattr__(name: str) -> object:
     """`load_scene` is imported when it is used: to import this package costs nothing."""
+    if name == "__version__":
+        from coscrew_codegen.version import VERSION
+        return VERSION
     if name == "load_scene":
         from coscrew_codegen.simulate.load import load_scene
         return load_scene

@@ -1,9 +1,13 @@
-"""`coscrew`, and `python -m coscrew_codegen`: how every command ends.
+"""`coscrew`, and `python -m coscrew_codegen`: how every command begins and ends.
 
-Imports what it runs only while it can tell an interrupt: that takes most of a second."""
+Imports what it runs only while it can tell an interrupt, since that takes most of a second; and
+only where all packages are there that the command needs."""
 
 import os
 import sys
+
+from coscrew_codegen.console import any_encoding
+from coscrew_codegen.extras import COMMANDS, lacking
 
 INTERRUPTED, CLOSED = 130, 141
 """What shells say of programs that SIGINT and SIGPIPE end."""
@@ -12,11 +16,12 @@ INTERRUPTED, CLOSED = 130, 141
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
     interrupt, 141 where who reads standard output stops doing so, as `head` does."""
+    words = sys.argv[1:] if arguments is None else arguments
+    any_encoding(sys.stdout)
+    any_encoding(sys.stderr)
     try:
         try:
-            from coscrew_codegen.command_line import run
-
-            return run(arguments)
+            return _run(words)
         finally:
             sys.stdout.flush()
     except KeyboardInterrupt:
@@ -25,6 +30,22 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or else Python flushes
         return CLOSED
+
+
+def _run(words: list[str]) -> int:
+    if words[:1] == ["--version"]:
+        from coscrew_codegen.version import VERSION
+
+        print(f"coscrew {VERSION}")
+        return 0
+    command = words[0] if words and words[0] in COMMANDS else ""
+    sentence = lacking(command or "the command line", COMMANDS.get(command, "codegen"))
+    if sentence:
+        print(f"coscrew: {sentence}", file=sys.stderr)
+        return 2
+    from coscrew_codegen.command_line import run
+
+    return run(words)
 
 
 if __name__ == "__main__":

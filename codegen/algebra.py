@@ -113,16 +113,16 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     """d/dτ operator(D(τ)) · operator(D)^-1 for the displacement D(τ) that moves with the screw s.
 
     D moves with s = (v; ω) when R' = ω~ R and t' = v + ω × t (v is the velocity of the body-fixed
-    point now at the origin). R is the rotation of a quaternion q, whose rate is q' = ½ (0, ω) q; so
+    point now at the origin). R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q; so
     every entry is a rational function, and the field of these reduces the product to its canonical
     form, in which D no longer appears.
     """
     v, w = lin(s), ang(s)
-    q = sp.symbols("q_0:4")
+    q = sp.symbols("q_x q_y q_z q_w")
     t = sp.Matrix(sp.symbols("t_0:3"))
     D = displacement(rotation_of_quaternion(q), t)
-    imaginary = sp.Matrix(q[1:])
-    q_rate = [-w.dot(imaginary) / 2, *((q[0] * w + w.cross(imaginary)) / 2)]
+    imaginary = sp.Matrix(q[:3])
+    q_rate = [*((q[3] * w + w.cross(imaginary)) / 2), -w.dot(imaginary) / 2]
     t_rate = v + w.cross(t)
 
     M = operator(D)
@@ -136,10 +136,10 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
 
 
 def rotation_of_quaternion(q: tuple[sp.Symbol, ...]) -> sp.Matrix:
-    """R = ((q0² - u·u) I + 2 u u^T + 2 q0 u~) / |q|², orthonormal for every q = (q0, u) ≠ 0."""
-    q0, u = q[0], sp.Matrix(q[1:])
-    R = (q0**2 - u.dot(u)) * I3 + 2 * u * u.T + 2 * q0 * skew(u)
-    return R / (q0**2 + u.dot(u))
+    """R = ((w² - u·u) I + 2 u u^T + 2 w u~) / |q|², orthonormal for every q = (u; w) ≠ 0."""
+    u, w = sp.Matrix(q[:3]), q[3]
+    R = (w**2 - u.dot(u)) * I3 + 2 * u * u.T + 2 * w * skew(u)
+    return R / (w**2 + u.dot(u))
 
 
 @cache

@@ -4,33 +4,31 @@ import argparse
 import sys
 from pathlib import Path
 
-try:
-    from tqdm import tqdm
+from tqdm import tqdm
 
-    from coscrew_codegen.cost import CostError
-    from coscrew_codegen.cost import command as cost
-    from coscrew_codegen.documentation import with_table
-    from coscrew_codegen.dynamics import derive
-    from coscrew_codegen.emit import (
-        EmitError,
-        differences,
-        read,
-        refuse_others,
-        stale_files,
-        write,
-    )
-    from coscrew_codegen.layout import Files, Programs, generated_files, program_of
-    from coscrew_codegen.operations import FAMILIES
-    from coscrew_codegen.report import ReportError, command
-    from coscrew_codegen.scene_files import catalogue
-    from coscrew_codegen.scene_files.errors import SceneError
-    from coscrew_codegen.scene_files.toml_scene import read_scene
-    from coscrew_codegen.scene_layout import scene_files
-    from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
-    from coscrew_codegen.simulate import SimulateError, check_command
-    from coscrew_codegen.simulate import command as simulate
-except ModuleNotFoundError as error:
-    sys.exit(f"coscrew: the generator needs {error.name}; run `pip install 'coscrew[codegen]'`")
+from coscrew_codegen.cost import CostError
+from coscrew_codegen.cost import command as cost
+from coscrew_codegen.documentation import with_table
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.emit import (
+    EmitError,
+    differences,
+    read,
+    refuse_others,
+    stale_files,
+    write,
+)
+from coscrew_codegen.layout import Files, Programs, generated_files, program_of
+from coscrew_codegen.operations import FAMILIES
+from coscrew_codegen.report import ReportError, command
+from coscrew_codegen.scene_files import catalogue
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_layout import scene_files
+from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
+from coscrew_codegen.simulate import SimulateError, check_command
+from coscrew_codegen.simulate import command as simulate
+from coscrew_codegen.version import VERSION
 
 ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError)
 DEFAULT_OUTPUT = "generated"
@@ -49,7 +47,9 @@ def run(arguments: list[str] | None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    parser.add_argument("--version", action="version", version=f"coscrew {VERSION}",
+                        help="print the version")
+    commands = parser.add_subparsers(required=True, dest="command", metavar="COMMAND")
     generate = commands.add_parser("generate", help="write the kernels, or check them",
                                    description="Write the kernels, or check that they are current.")
     generate.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
@@ -119,7 +119,6 @@ def _deliver(command: str, files: Files, folder: Path, stale: tuple[str, ...],
     if not diffs:
         print(f"{output}: {len(files)} files are current")
         return 0
-    sys.stdout.reconfigure(errors="backslashreplace")
     sys.stdout.write("".join(diffs))
     print(f"{output}: {len(diffs)} files are out of date; run `{command}`", file=sys.stderr)
     return 1

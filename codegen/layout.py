@@ -8,12 +8,13 @@ from coscrew_codegen.kernel import kernel_of
 from coscrew_codegen.operations import Operation, family_title
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
-from coscrew_codegen.render import render
+from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import c, c_storage, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
 from coscrew_codegen.tiers.table import TIERS, Tier
+from coscrew_codegen.version import VERSION, numbers
 
 Files = dict[str, str]  # by path in the output folder, with forward slashes
 Programs = dict[str, Program]
@@ -69,7 +70,7 @@ def _tier_files(selection: Selection, programs: Programs, tier: Tier | None,
     provenance = ""
     if kernels := _documented(selection, programs, tier):
         if selection.languages == ("c", "python"):
-            sources, provenance = extension_sources(selection, kernels, name, amalgamation)
+            sources, provenance = extension_sources(selection, kernels, tier, amalgamation)
             files |= {f"gufunc/{folder}{file}": text for file, text in sources.items()}
         if "python" in selection.languages:
             package = _package(selection, programs, tier, provenance)
@@ -127,7 +128,8 @@ def _types_header(selection: Selection) -> str:
               "meaning": f"{c_storage.meaning(quantity)}; {precision.name} precision.",
               "views": c_storage.views(quantity, precision)}
              for quantity in c_storage.TYPES for precision in selection.precisions]
-    return render("c/ksl_types.h", banner=selection.banner, types=types,
+    return render("c/ksl_types.h", banner=selection.banner, types=types, version=VERSION,
+                  parts=zip(("MAJOR", "MINOR", "PATCH"), numbers()),
                   precisions=[precision.name for precision in selection.precisions])
 
 
@@ -163,7 +165,8 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
 
 
 def _amalgamation(selection: Selection, headers: dict[str, str], title: str) -> str:
-    sections = ["\n".join(line for line in text.splitlines()[1:]
+    head = 1 + len(LICENSE)
+    sections = ["\n".join(line for line in text.splitlines()[head:]
                           if not line.startswith('#include "')) + "\n"
                 for name, text in headers.items() if name not in _UMBRELLAS]
     return render("c/coscrew.h", banner=selection.banner, sections=sections, title=title)
@@ -179,7 +182,7 @@ def _package(selection: Selection, programs: Programs, tier: Tier | None,
     names = [op.name for op in kernels]
     shared = {"banner": selection.banner, "names": names, "provenance": provenance,
               "aliases": [] if tier else [(a, name) for a, name in _ALIASES if name in names],
-              "package": f"coscrew.{tier.name}" if tier else "coscrew",
+              "package": f"coscrew.{tier.name}" if tier else "coscrew", "version": VERSION,
               "about": tier.in_words if tier else "",
               "precisions": [precision.name for precision in selection.precisions],
               "extension": bool(provenance),

@@ -79,9 +79,9 @@ SCREW = _halves("screw", "screw (v in m/s; ω in rad/s)")
 COSCREW = _halves("coscrew", "coscrew (f in N; τ in N m)")
 ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top")
 MAT6X6 = _whole("mat6x6", (6, 6), "6×6 operator")
-QUATERNION = Quantity("quaternion", (4,), (Part("w", range(1), range(1)),
-                                           Part("v", range(1, 4), range(1))),
-                      "quaternion (w; x, y, z), the scalar first")
+QUATERNION = Quantity("quaternion", (4,), (Part("v", range(3), range(1)),
+                                           Part("w", range(3, 4), range(1))),
+                      "quaternion (x, y, z, w), the scalar last")
 INERTIA = Quantity("inertia", (10,), (Part("m", range(1), range(1)),
                                       Part("h", range(1, 4), range(1)),
                                       Part("I", range(4, 10), range(1))),

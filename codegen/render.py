@@ -4,6 +4,8 @@ from importlib.resources import files
 
 import jinja2
 
+from coscrew_codegen.version import VERSION
+
 _ENVIRONMENT = jinja2.Environment(
     loader=jinja2.FunctionLoader(
         lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
@@ -11,7 +13,21 @@ _ENVIRONMENT = jinja2.Environment(
     keep_trailing_newline=True)
 
 
+_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# "}
+"""What stands between the lines of a comment, by the ending of a template's name."""
+
+LICENSE = ("SPDX-License-Identifier: MIT",
+           f"coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.")
+"""Lines 2 and 3 of every generated file.  What is generated for a user's scene holds coscrew's
+code, and so bears its license; numbers and names in it are the scene's."""
+
+
 def render(template: str, **holes: object) -> str:
-    """The text of `template` with its holes filled; an unfilled hole is an error."""
+    """The text of `template` with its holes filled; an unfilled hole is an error.
+
+    The hole `banner`, a file's first line, brings the lines of LICENSE with it."""
+    if "banner" in holes:
+        between = _COMMENTS[template.rpartition(".")[2]]
+        holes["banner"] = between.join((str(holes["banner"]), *LICENSE))
     text = _ENVIRONMENT.get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"

@@ -57,26 +57,26 @@ def _quaternion(R: matrix) -> matrix:
     """The eigenvector to the largest eigenvalue of the matrix with quadratic form tr R(q)^T R."""
     trace = R[0, 0] + R[1, 1] + R[2, 2]
     K = mpmath.zeros(4)
-    K[0, 0] = trace
+    K[3, 3] = trace
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
-        K[0, i + 1] = K[i + 1, 0] = R[k, j] - R[j, k]
-        K[i + 1, i + 1] = 2 * R[i, i] - trace
-        K[i + 1, j + 1] = K[j + 1, i + 1] = R[i, j] + R[j, i]
+        K[3, i] = K[i, 3] = R[k, j] - R[j, k]
+        K[i, i] = 2 * R[i, i] - trace
+        K[i, j] = K[j, i] = R[i, j] + R[j, i]
     values, vectors = mpmath.eigsy(K)
     q = vectors[:, max(range(4), key=lambda i: values[i])]
-    return -q if q[0] < 0 else q
+    return -q if q[3] < 0 else q
 
 
 def _log(q: matrix) -> matrix:
-    q = -q if q[0] < 0 else q
-    n = mpmath.norm(q[1:])
-    return q[1:] * (2 * mpmath.atan2(n, q[0]) / n if n else 2 / q[0])
+    q = -q if q[3] < 0 else q
+    n = mpmath.norm(q[:3])
+    return q[:3] * (2 * mpmath.atan2(n, q[3]) / n if n else 2 / q[3])
 
 
 def _product(p: matrix, q: matrix) -> matrix:
-    v = p[0] * q[1:] + q[0] * p[1:] + _skew(p[1:]) * q[1:]
-    return matrix([p[0] * q[0] - mpmath.fdot(p[1:], q[1:]), *v])
+    v = p[3] * q[:3] + q[3] * p[:3] + _skew(p[:3]) * q[:3]
+    return matrix([*v, p[3] * q[3] - mpmath.fdot(p[:3], q[:3])])
 
 
 @_once
@@ -102,9 +102,9 @@ def quaternion_log(i: Number, *q: Number) -> Number:
 @_once
 def _slerp(*numbers: Number) -> matrix:
     p, q, k = matrix(numbers[:4]), matrix(numbers[4:8]), numbers[8]
-    half = k * _log(_product(matrix([p[0], *-p[1:]]), q)) / 2
+    half = k * _log(_product(matrix([*-p[:3], p[3]]), q)) / 2
     x = mpmath.fdot(half, half)
-    return _product(p, matrix([g(0, x), *(g(1, x) * half)]))
+    return _product(p, matrix([*(g(1, x) * half), g(0, x)]))
 
 
 def slerp(i: Number, *numbers: Number) -> Number:

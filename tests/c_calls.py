@@ -87,14 +87,18 @@ for (size_t i = 0; i < sizeof indices / sizeof *indices; i++) {{
 }}"""
 
 _ALLOCATION = """\
-static const {kind} zeros[3];
-{kind} *x = {stem}_alloc(3);
+{kind} wanted[3], *x = {stem}_alloc(3);
 hold(x != NULL, "{stem}_alloc(3)");
-same(x, zeros, sizeof zeros, "{stem}_alloc zeroes");
+memset(wanted, 0, sizeof wanted);
+for (size_t i = 0; i < 3; i++) {{ {ones} }}
+same(x, wanted, sizeof wanted, "{stem}_alloc holds {holding}");
 fill(x, 3 * {size});
 free(x);
 hold({stem}_alloc(0) == NULL, "{stem}_alloc(0)");
 hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
+
+# KSL's allocators return identities of these types, zeros of the others: where ones stand.
+_UNITY = {"mat3x3": (0, 4, 8), "SE3": (0, 4, 8), "quaternion": (3,)}
 
 
 def program(precision: Precision, tier: str = "") -> str:
@@ -204,7 +208,10 @@ def _storage(precision: Precision) -> Iterator[tuple[str, list[str]]]:
                 f'same(&x, &one, sizeof x, "{stem}_identity");']
         if columns > 1:
             yield f"{stem}_elements", [_ELEMENTS.format(**about)]
-        yield f"{stem}_allocated", [_ALLOCATION.format(**about)]
+        places = _UNITY.get(quantity.name, ())
+        yield f"{stem}_allocated", [_ALLOCATION.format(
+            ones=" ".join(f"wanted[i].{array}[{place}] = 1;" for place in places),
+            holding="identities" if places else "zeros", **about)]
 
 
 def _constructed(stem: str, function: str, places: list[int], array: str) -> list[str]:

@@ -84,7 +84,7 @@ def _turned(operation: Operation, argument: Argument, unit: Matrix, angle: mp.mp
     R = mp.chop(exponential_series(skew(unit * angle)), 1e-40)  # half a turn leaves zeros
     q = mp.chop(quaternion_exp(unit * angle), 1e-40)
     if pair and number == 0:
-        R, q = exponential_series(skew(first)), mp.matrix([1, 0, 0, 0])
+        R, q = exponential_series(skew(first)), mp.matrix([0, 0, 0, 1])
     elif pair and number == 1:
         R = exponential_series(skew(first)) * R
     return {"vec3": lambda: unit if argument.name == "axis" else unit * angle,

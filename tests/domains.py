@@ -163,7 +163,7 @@ MOTION = Domain(lambda rng, n, dtype: np.hstack([_wide(rng, n, dtype), _turns(rn
 
 def _quaternions(rng: Generator, n: int, dtype: np.dtype) -> Rows:
     half, sign = angles(rng, n)[:, None] / 2, rng.choice((-1, 1), (n, 1))
-    return sign * np.hstack([np.cos(half), np.sin(half) * directions(rng, n)])
+    return sign * np.hstack([np.sin(half) * directions(rng, n), np.cos(half)])
 
 
 UNIT_QUATERNION = Domain(_quaternions, _normalized)

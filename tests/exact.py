@@ -118,19 +118,19 @@ def keeping(joint: int) -> Matrix:
 
 
 def product(p: Matrix, q: Matrix) -> Matrix:
-    """The product of the quaternions (w; v), by i² = j² = k² = i j k = -1."""
-    a, b, c, d = q
-    return array([[a, -b, -c, -d], [b, a, d, -c], [c, -d, a, b], [d, c, -b, a]]) @ p
+    """The product of the quaternions x i + y j + z k + w, by i² = j² = k² = i j k = -1."""
+    x, y, z, w = q
+    return array([[w, z, -y, x], [-z, w, x, y], [y, -x, w, z], [-x, -y, -z, w]]) @ p
 
 
 def conjugate(q: Matrix) -> Matrix:
-    """(w; -v)."""
-    return array([q[0], *-q[1:]])
+    """(-v; w)."""
+    return array([*-q[:3], q[3]])
 
 
 def rotation_of(q: Matrix) -> Matrix:
     """((w² - v·v) I + 2 v v^T + 2 w v~) / q·q."""
-    w, v = q[0], q[1:]
+    v, w = q[:3], q[3]
     return ((w * w - v @ v) * I3 + 2 * np.outer(v, v) + 2 * w * skew(v)) / (q @ q)
 
 
@@ -210,7 +210,7 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "reciprocal_product": lambda c, x: c @ joined(x[3:], x[:3]),
     "quaternion_copy": lambda q: q,
     "quaternion_scale": lambda q, a: a * q,
-    "quaternion_setIdentity": lambda q: eye(4)[0],
+    "quaternion_setIdentity": lambda q: eye(4)[3],
     "quaternion_conjugated": conjugate,
     "product_qq": product,
     "product_qconjq": lambda q1, q2: product(conjugate(q1), q2),
@@ -297,7 +297,7 @@ class Sample:
 
     def rotation(self) -> Matrix:
         """Of a quaternion of any norm."""
-        return rotation_of(joined([self._random.randint(1, 9)], self.vector()))
+        return rotation_of(joined(self.vector(), [self._random.randint(1, 9)]))
 
     def quaternion(self) -> Matrix:
         """p² / |p|² of a quaternion p: of norm 1."""

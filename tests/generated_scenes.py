@@ -153,11 +153,11 @@ def pendulum() -> SceneFunctions:
 
 
 def _products(w: Writer, name: str, a: list[Operand], b: list[Operand]) -> list[Ref]:
-    """The quaternion product a b."""
-    terms = ((("", 0, 0), ("-", 1, 1), ("-", 2, 2), ("-", 3, 3)),
-             (("", 0, 1), ("", 1, 0), ("", 2, 3), ("-", 3, 2)),
-             (("", 0, 2), ("-", 1, 3), ("", 2, 0), ("", 3, 1)),
-             (("", 0, 3), ("", 1, 2), ("-", 2, 1), ("", 3, 0)))
+    """The quaternion product a b, both (x, y, z, w)."""
+    terms = ((("", 3, 0), ("", 0, 3), ("", 1, 2), ("-", 2, 1)),
+             (("", 3, 1), ("-", 0, 2), ("", 1, 3), ("", 2, 0)),
+             (("", 3, 2), ("", 0, 1), ("-", 1, 0), ("", 2, 3)),
+             (("", 3, 3), ("-", 0, 0), ("-", 1, 1), ("-", 2, 2)))
     found = []
     for k, row in enumerate(terms):
         total: Ref | None = None
@@ -196,8 +196,8 @@ def spinner() -> SceneFunctions:
     still = w.do("still", Op.EQUAL, angle, 0)
     ratio = w.do("ratio", Op.DIV, w.do("sine", Op.SIN, half, of="ratio"), angle)
     chosen = w.do("chosen", Op.SELECT, still, "1/2", ratio)
-    turn: list[Operand] = [w.do("turn_0", Op.COS, half)]
-    turn += [w.do(f"turn_{i + 1}", Op.MUL, chosen, x[i]) for i in range(3)]
+    turn: list[Operand] = [w.do(f"turn_{i}", Op.MUL, chosen, x[i]) for i in range(3)]
+    turn += [w.do("turn_3", Op.COS, half)]
     made = _products(w, "made", [w.at("q", i) for i in range(4)], turn)
     integrated = w.function("integrated", "q ⊕ φ", (argument("q", 4),), made)
     w = Writer(phi, v)
@@ -214,7 +214,7 @@ def spinner() -> SceneFunctions:
                        rate, internal=True)
     return SceneFunctions(
         "spinner", 4, 3, (Coordinate("ball", "spherical", range(4), range(3)),), ("top",), (),
-        (1.0, 0.0, 0.0, 0.0), (forward, integrated, chart), ("semi_implicit_euler", "rk4"))
+        (0.0, 0.0, 0.0, 1.0), (forward, integrated, chart), ("semi_implicit_euler", "rk4"))
 
 
 def robot(joints: int, steps: int) -> SceneFunctions:

@@ -61,7 +61,7 @@ def rotation_vectors(rng: Generator, n: int) -> Rows:
 def quaternions(rng: Generator, n: int) -> Rows:
     """Of norm 1 to 64 bits, w of either sign."""
     half = angles(rng, n).astype(WIDE)[:, None] / 2
-    q = np.concatenate([np.cos(half), np.sin(half) * axes(rng, n)], axis=1)
+    q = np.concatenate([np.sin(half) * axes(rng, n), np.cos(half)], axis=1)
     return q * rng.choice((-1, 1), (n, 1))
 
 
@@ -72,7 +72,7 @@ def multiples(rng: Generator, n: int) -> Rows:
 
 def rotations(rng: Generator, n: int) -> Rows:
     """The first ones turn by exactly π: about the axes and half-way between two of them."""
-    w, x, y, z = quaternions(rng, n).T
+    x, y, z, w = quaternions(rng, n).T
     R = np.array([[w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)],
                   [2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)],
                   [2*(x*z - w*y), 2*(y*z + w*x), w*w - x*x - y*y + z*z]])

@@ -74,46 +74,46 @@ def nearest_quaternion(R: Matrix) -> Matrix:
     """The quaternion of the rotation nearest to R: the eigenvector of the largest eigenvalue of
     Bar-Itzhack's symmetric matrix.  Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
     K = mp.matrix([
-        [R[0, 0] + R[1, 1] + R[2, 2], R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
-        [R[2, 1] - R[1, 2], R[0, 0] - R[1, 1] - R[2, 2], R[1, 0] + R[0, 1], R[0, 2] + R[2, 0]],
-        [R[0, 2] - R[2, 0], R[1, 0] + R[0, 1], R[1, 1] - R[0, 0] - R[2, 2], R[2, 1] + R[1, 2]],
-        [R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[2, 1] + R[1, 2], R[2, 2] - R[0, 0] - R[1, 1]]])
+        [R[0, 0] - R[1, 1] - R[2, 2], R[1, 0] + R[0, 1], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2]],
+        [R[1, 0] + R[0, 1], R[1, 1] - R[0, 0] - R[2, 2], R[2, 1] + R[1, 2], R[0, 2] - R[2, 0]],
+        [R[0, 2] + R[2, 0], R[2, 1] + R[1, 2], R[2, 2] - R[0, 0] - R[1, 1], R[1, 0] - R[0, 1]],
+        [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1], R[0, 0] + R[1, 1] + R[2, 2]]])
     values, vectors = mp.eigsy(K)
     best = max(range(4), key=lambda i: values[i])
     q = vectors[:, best]
-    return q if q[0] >= 0 else -q
+    return q if q[3] >= 0 else -q
 
 
 def vector_of(q: Matrix) -> Matrix:
     """θ v / |v| with θ = 2 atan2(|v|, |w|), any multiple of a quaternion."""
-    if q[0] < 0:
+    if q[3] < 0:
         q = -q
-    v = q[1:4]
+    v = q[0:3]
     n = norm(v)
-    return v * (2 * mp.atan2(n, q[0]) / n) if n else mp.zeros(3, 1)
+    return v * (2 * mp.atan2(n, q[3]) / n) if n else mp.zeros(3, 1)
 
 
 def product(p: Matrix, q: Matrix) -> Matrix:
-    """The product of quaternions."""
-    v = p[0] * q[1:4] + q[0] * p[1:4] + skew(p[1:4]) * q[1:4]
-    w = p[0] * q[0] - mp.fsum(x * y for x, y in zip(p[1:4], q[1:4], strict=True))
-    return mp.matrix([w, *v])
+    """The product of quaternions (v; w)."""
+    v = p[3] * q[0:3] + q[3] * p[0:3] + skew(p[0:3]) * q[0:3]
+    w = p[3] * q[3] - mp.fsum(x * y for x, y in zip(p[0:3], q[0:3], strict=True))
+    return mp.matrix([*v, w])
 
 
 def conjugate(q: Matrix) -> Matrix:
-    return mp.matrix([q[0], -q[1], -q[2], -q[3]])
+    return mp.matrix([-q[0], -q[1], -q[2], q[3]])
 
 
 def quaternion_exp(v: Matrix) -> Matrix:
-    """(cos θ/2; v/θ sin θ/2)."""
+    """(v/θ sin θ/2; cos θ/2)."""
     n = norm(v)
-    return mp.matrix([mp.cos(n / 2), *(v * (mp.sin(n / 2) / n) if n else v / 2)])
+    return mp.matrix([*(v * (mp.sin(n / 2) / n) if n else v / 2), mp.cos(n / 2)])
 
 
 def matrix_of(q: Matrix) -> Matrix:
     """(w + v~)² + v v^T, over q·q."""
-    W = q[0] * mp.eye(3) + skew(q[1:4])
-    return (W * W + q[1:4] * q[1:4].T) / mp.fsum(c * c for c in q)
+    W = q[3] * mp.eye(3) + skew(q[0:3])
+    return (W * W + q[0:3] * q[0:3].T) / mp.fsum(c * c for c in q)
 
 
 def SE3_log(D: Matrix) -> Matrix:
@@ -158,7 +158,7 @@ TRUTHS: dict[str, Callable[..., Matrix | mp.mpf | tuple[mp.mpf, Matrix]]] = {
     "mat3x3_from_quaternion": matrix_of,
     "quaternion_from_mat3x3": nearest_quaternion,
     "quaternion_from_axis_angle": lambda a, angle: mp.matrix(
-        [mp.cos(angle / 2), *(mp.sin(angle / 2) * a)]),
+        [*(mp.sin(angle / 2) * a), mp.cos(angle / 2)]),
     "quaternion_exp": quaternion_exp,
     "quaternion_log": vector_of,
     "quaternion_slerp": slerp,
@@ -189,7 +189,7 @@ def _screw_the_long_way(s: Matrix) -> Matrix:
 OTHERS: dict[str, tuple[Callable, Callable]] = {
     **dict.fromkeys(("SO3_log", "quaternion_log"), (norm, the_long_way)),
     "SE3_log": (lambda s: norm(s[3:6]), _screw_the_long_way),
-    "quaternion_from_mat3x3": (lambda q: 2 * mp.acos(q[0]), lambda q: -q),
+    "quaternion_from_mat3x3": (lambda q: 2 * mp.acos(q[3]), lambda q: -q),
     **dict.fromkeys(("axis_angle_from_quaternion", "axis_angle_from_mat3x3"),
                     (lambda found: found[0], lambda found: (2 * mp.pi - found[0], -found[1]))),
 }

@@ -62,8 +62,7 @@ class Robot:
         one = np.zeros(f.nv)  # coordinates with one number, at their speeds' places
         for c in f.coordinates:
             if c.kind == "free":
-                x = q[c.q.start:c.q.stop]
-                found[:7] = [*x[:3], *x[4:], x[3]]
+                found[:7] = q[c.q.start:c.q.stop]
             else:
                 one[c.v.start] = q[c.q.start]
         values = self.follow @ one + self.offset

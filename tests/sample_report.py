@@ -3,6 +3,7 @@
 from math import inf, nan
 
 from coscrew_codegen.report.schema import (
+    SCHEMA,
     Change,
     Comparison,
     Compiler,
@@ -25,11 +26,18 @@ def _errors(worst: float) -> Errors:
     return Errors(1000, worst, worst / 2, 0.25, ("0x1.8p+0", "-0x1.23456789abcdep-1022"), "ang.y")
 
 
+def _time(language: str, compiler: str | None, layout: str, ns: float, width: float,
+          ratio: float | None, dominated: bool) -> Time:
+    ratios = (None,) * 3 if ratio is None else (ratio, ratio - width / 4, ratio + width / 2)
+    return Time(language, compiler, layout, ns, ns - width / 2, ns + width, ns - width, 25, *ratios,
+                dominated)
+
+
 def _entry(number: int, operation: str, family: str, precision: str, tier: str) -> Entry:
     place = TIERS.index(tier)
     top = {"double": 3.25e15, "single": 7.125e7}[precision]
-    times = tuple(Time(language, compiler, layout, (1.5 + number) * (place + 1) + 0.0625 * k,
-                       0.03125 * k, None if place == 0 else place + 1.0, tier == "fused")
+    times = tuple(_time(language, compiler, layout, (1.5 + number) * (place + 1) + 0.0625 * k,
+                        0.03125 * (k + 1), 1.0 if place == 0 else place + 1.0, tier == "fused")
                   for k, (language, compiler, layout) in enumerate(LAYOUTS))
     worst = (top, top / 8, 1.0625, 0.5)[place]
     return Entry(
@@ -46,7 +54,7 @@ def sample_report() -> Report:
     entries = [_entry(number, name, family, precision, tier)
                for number, (name, family) in enumerate(names)
                for precision in ("double", "single") for tier in TIERS]
-    rounded = (Time("C", "gcc", "structure of arrays", 10.5, 0.0, None, False),)
+    rounded = (_time("C", "gcc", "structure of arrays", 10.5, 0.0, None, False),)
     entries += [
         Entry("vec3_copy", "vec3", "vo = vi", "double", "plain", "ulp", _errors(0.0), _errors(0.0),
               ProvenBound("0", 0.0, 0.0, False, 0.0), ((1.0, 0.0),), 0, "no arithmetic", rounded),
@@ -59,9 +67,9 @@ def sample_report() -> Report:
         f"coscrew report {AWKWARD}", 7, "0.0", f"made-up machine {AWKWARD}", 2, "system", "3.11",
         "2.0", (Compiler("gcc", f"gcc {AWKWARD}", f"-O3 -march=native {'-ffp-contract=off ' * 12}"),
                 Compiler("clang", "clang 0", "-O3")), 12.5)
-    drift = (Drift("double", False, 1000, 12.5, 101.25, 20.5),
-             Drift("single", True, 1000000, 1.5, inf, 30.25))
+    drift = (Drift("double", False, 1000, 12.5, 101.25, 20.5, 20.25, 21.0),
+             Drift("single", True, 1000000, 1.5, inf, 30.25, 30.0, 30.5))
     changes = (Change("product_CoAdc", "double", "plain", f"ns {AWKWARD}", 2.0, 3.0, 1.5),
                Change("cross_sc", "single", "fused", "worst error, hard, ulp", 4.0, 4.0, 1.0),
                Change("cross_sc", "single", "plain", "worst error, hard, ulp", 4.0, 1.0, 0.25))
-    return Report(1, provenance, tuple(entries), drift, Comparison(f"before {AWKWARD}", changes))
+    return Report(SCHEMA, provenance, tuple(entries), drift, Comparison(f"before {AWKWARD}", changes))

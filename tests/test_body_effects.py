@@ -26,21 +26,21 @@ def fifty_digits() -> Iterator[None]:
 
 def test_constant_force_gives_a_parabola() -> None:
     push = applied("wrench", "b0", force=(1, -2, 3))
-    state = moving(free_body(2), push, q=[0, 0, 0, 1, 0, 0, 0], v=[0, 1, 0, 0, 0, 0]).rk4(0.5, 4)
+    state = moving(free_body(2), push, q=[0, 0, 0, 0, 0, 0, 1], v=[0, 1, 0, 0, 0, 0]).rk4(0.5, 4)
     exact = [1, 0, 3]  # F t²/(2 m) + v t
     assert np.max(np.abs(np.array(state.q[:3]) - exact)) <= 4 * 4 * 2**-52
 
 
 def test_constant_torque_spins_up() -> None:
     push = applied("wrench", "b0", torque=(0, 0, 6), frame="body")
-    state = moving(ball(moments=(1, 2, 3, 0, 0, 0)), push, q=[1, 0, 0, 0], v=[0, 0, 1]).rk4(0.25, 8)
+    state = moving(ball(moments=(1, 2, 3, 0, 0, 0)), push, q=[0, 0, 0, 1], v=[0, 0, 1]).rk4(0.25, 8)
     assert_same(state.v, [0, 0, 5])
     angle = 1 * 2 + mpf(6) / 3 * 4 / 2
-    turned = [mpmath.cos(angle / 2), 0, 0, mpmath.sin(angle / 2)]
+    turned = [0, 0, mpmath.sin(angle / 2), mpmath.cos(angle / 2)]
     assert np.max(np.abs(np.array(state.q) - np.array(turned, float))) <= 8 * 2**-52 * 8
 
 
-QUATERNION = [mpf(x) / 10 for x in (1, 5, -7, 5)]  # of norm 1
+QUATERNION = [mpf(x) / 10 for x in (5, -7, 5, 1)]  # of norm 1
 
 
 @pytest.mark.parametrize("frame", ["world", "body"])
@@ -61,7 +61,7 @@ def test_wrenches_act_at_their_point(frame: str) -> None:
 def test_wrenches_may_be_arguments() -> None:
     force = tuple(Parameter(f"push.force.{x}", n, Fraction(n)) for n, x in enumerate("xyz"))
     f = multiprecise(free_body(2), applied("wrench", "b0", force=force), parameters=force)
-    a = f("forward_dynamics", p=[4, 6, 8], q=[0, 0, 0, 1, 0, 0, 0], v=[0] * 6, tau=[0] * 6)
+    a = f("forward_dynamics", p=[4, 6, 8], q=[0, 0, 0, 0, 0, 0, 1], v=[0] * 6, tau=[0] * 6)
     assert_same(a, [2, 3, 4, 0, 0, 0])
 
 
@@ -104,10 +104,10 @@ def test_buoyancy_lifts_at_its_centre() -> None:
     up = R.T @ array([0, 0, mpf("9.81")])
     assert_same([-x for x in found], [*((mpf("2.5") - 4) * up),
                                       *(skew(array([0, 1, 0])) @ (mpf("2.5") * up))])
-    low, high = (f("energy", q=[0, 0, z, 1, 0, 0, 0], v=[0] * 6)[1] for z in (0, 1))
+    low, high = (f("energy", q=[0, 0, z, 0, 0, 0, 1], v=[0] * 6)[1] for z in (0, 1))
     assert_same([high - low], [(4 - mpf("2.5")) * mpf("9.81")])
     weightless = multiprecise(free_body(4), lift)
-    assert weightless("bias_torques", q=[0, 0, 0, 1, 0, 0, 0], v=[0] * 6) == [0] * 6
+    assert weightless("bias_torques", q=[0, 0, 0, 0, 0, 0, 1], v=[0] * 6) == [0] * 6
 
 
 def two_free_bodies() -> Model:
@@ -120,7 +120,7 @@ def two_free_bodies() -> Model:
 def test_spring_damper_pulls_along_its_line() -> None:
     effect = applied("spring_damper", "tendon", bodies=("a", "b"), first=numbers("0.1", 1, 0),
                      second=numbers(0, "-0.3", 2), k=7, d=3, length=2)
-    q = [1, 2, 3, *QUATERNION, -1, 0, 4, *(QUATERNION[k] for k in (2, 1, 3, 0))]
+    q = [1, 2, 3, *QUATERNION, -1, 0, 4, *(QUATERNION[k] for k in (0, 2, 3, 1))]
     v = [mpf(x) / 7 for x in (1, -2, 3, 5, 0, 2, 4, 4, -3, 1, 2, -6)]
     points, speeds, turns = [], [], []
     arms = [array([mpf("0.1"), 1, 0]), array([0, mpf("-0.3"), 2])]

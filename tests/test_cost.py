@@ -19,6 +19,7 @@ from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
 from coscrew_codegen.cost.plot import _accuracy, plot
 from coscrew_codegen.cost.table import table
+from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_layout import banner_of, c_files
@@ -119,7 +120,7 @@ def test_every_function_and_part_has_a_row(costs, kernels):
         assert [x.function for x in costs.rows if x.part == words] == [
             name for name in public if name in TELLING]
     for row in costs.rows:
-        assert all(0 < t.minimum < 1e6 and t.spread >= 0 for t in row.times), row
+        assert all(0 < t.low <= t.median <= t.high < 1e6 for t in row.times), row
 
 
 # errors against time
@@ -173,7 +174,7 @@ eps = 1e-9
 
 def test_the_sign_of_a_quaternion_is_no_error(kernels):
     its = system(kernels["BRICK"], "double")
-    q = np.array([1.0, 2, 3, 0.5, 0.5, -0.5, 0.5])
+    q = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, 0.5])
     truth = Reference("", 1.0, q, np.zeros(6), 0.0)
     assert error(its, q * [1, 1, 1, -1, -1, -1, -1], truth) == 0
     assert error(its, q + [0, 0.25, 0, 0, 0, 0, 0], truth) == 0.25
@@ -218,7 +219,8 @@ def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(co
 
 
 def point(integrator: str, seconds: float, error: float) -> Point:
-    return Point(integrator, "double", 1e-3, 100, seconds, error, "C")
+    time = Interval(seconds, 0.8 * seconds, 1.2 * seconds)
+    return Point(integrator, "double", 1e-3, 100, time, error, "C")
 
 
 @pytest.fixture
@@ -232,7 +234,15 @@ def rough(costs):
 
 def test_runs_better_than_the_reference_are_not_called_best(rough):
     rows = [x.split() for x in table(rough).splitlines() if x.startswith(("rk4 ", "dop853 "))]
-    assert [x[6:] for x in rows] == [["*"], ["<"], ["<"], []]
+    assert [x[7:] for x in rows] == [["*"], ["<"], ["<"], []]
+
+
+def test_a_run_is_best_unless_another_ones_interval_lies_below(rough):
+    """1.1 times as long, the intervals overlap: nothing is said."""
+    near = replace(rough, points=(point("rk4", 1e-5, 1e-6), point("rk4", 1.1e-5, 1e-6),
+                                  point("rk4", 1.6e-5, 1e-6)))
+    marks = [x.split()[7:] for x in table(near).splitlines() if x.startswith("rk4 ")]
+    assert marks == [["*"], ["*"], []]
 
 
 def test_runs_better_than_the_reference_are_hollow(rough, tmp_path):
@@ -242,6 +252,7 @@ def test_runs_better_than_the_reference_are_hollow(rough, tmp_path):
     used = {name: len([x for x in groups[name].iter() if x.tag.endswith("}use")])
             for name in ("rk4 double runs", "rk4 double hollow", "dop853 double runs")}
     assert used == {"rk4 double runs": 1, "rk4 double hollow": 2, "dop853 double runs": 1}
+    assert {"rk4 double interval", "dop853 double interval"} <= set(groups)
     fills = {name: next(x.get("style") for x in groups[name].iter() if x.tag.endswith("}use"))
              for name in used}
     assert "fill: #ffffff" in fills["rk4 double hollow"]

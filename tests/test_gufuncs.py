@@ -1,11 +1,13 @@
 """The compiled ufuncs: signatures, precisions, broadcasting, strides, refusals, subclasses."""
 
 import os
+import platform
 import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from itertools import product
+from pathlib import Path
 
 import dask.array
 import numpy as np
@@ -72,7 +74,7 @@ def test_float32_stays_float32_and_everything_else_becomes_float64(operation, na
 
     count = len(operation.inputs)
     assert result(*[np.float32] * count) == {np.dtype(np.float32)}
-    for other in (np.float64, np.int64, np.int8, np.uint16, np.bool_, np.float16):
+    for other in (np.float64, np.int64, np.int8, np.uint16):
         assert result(*[other] * count) == {np.dtype(np.float64)}
         for place in range(count if count > 1 else 0):
             mixed = [np.float32] * count
@@ -281,6 +283,22 @@ for op in OPERATIONS:
         for environment in ({}, {"COSCREW_BASELINE": "1"}))
     assert best.count("\n") >= 4 * (len(OPERATIONS) + 2 * len(TIERED))
     assert best == baseline
+
+
+@pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="no choice elsewhere")
+def test_accurate_loops_take_fma_where_the_processor_has_it():
+    """And only those: in plain ones, gcc's vectoriser would fuse what is to be rounded."""
+    flags = Path("/proc/cpuinfo").read_text().partition("flags")[2].partition("\n")[0].split()
+    program = ("from coscrew import _gufunc as plain; from coscrew.accurate import _gufunc as a; "
+               "from coscrew.certified import _gufunc as c; print(plain.LOOPS, a.LOOPS, c.LOOPS, "
+               "sep=', ')")
+    for asked, wanted in (({}, ["AVX2", "AVX2 with FMA", "AVX2"]),
+                          ({"COSCREW_BASELINE": "1"}, ["baseline"] * 3)):
+        done = subprocess.run([sys.executable, "-c", program], env={**os.environ, **asked},
+                              capture_output=True, text=True, check=True)
+        has = [set(x.lower().split(" with ")) <= {"baseline", *flags} for x in wanted]
+        assert done.stdout.strip().split(", ") == [
+            x if there else "baseline" for x, there in zip(wanted, has, strict=True)]
 
 
 def test_many_threads_agree():

@@ -197,8 +197,8 @@ def test_quaternions_are_a_group_of_rotations(k, sample):
     unit = sample.quaternion()
     assert same(k.product_qv(unit, v), R(unit) @ v)
     assert same(k.product_qconjv(unit, k.product_qv(unit, v)), v)
-    turned = k.product_qqconj(k.product_qq(unit, array([0, *v])), unit)
-    assert same(turned, array([0, *k.product_qv(unit, v)]))
+    turned = k.product_qqconj(k.product_qq(unit, array([*v, 0])), unit)
+    assert same(turned, array([*k.product_qv(unit, v), 0]))
 
 
 def test_orthonormalization_leaves_a_defect_of_the_second_order(k, sample):

@@ -258,11 +258,11 @@ def test_an_axis_is_as_accurate_however_small_the_turn(implementation, precision
     numbers = np.random.default_rng(8)
     v = np.vstack([numbers.integers(-9, 10, (60, 3)) * np.exp2(least + k) for k in (0, 5, 20, 60)])
     v = v[v.any(axis=1)]
-    q = np.hstack([np.ones((len(v), 1)), v]).astype(precision.numpy_type)
+    q = np.hstack([v, np.ones((len(v), 1))]).astype(precision.numpy_type)
     R = np.zeros((len(v), 3, 3), precision.numpy_type)
     R[:] = np.eye(3)
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        R[:, k, j], R[:, j, k] = q[:, 1 + i], -q[:, 1 + i]
+        R[:, k, j], R[:, j, k] = q[:, i], -q[:, i]
     for name, given in (("axis_angle_from_quaternion", q), ("axis_angle_from_mat3x3", R)):
         angle, axis = implementation(TABLE[name], precision, (given,))
         for x, found in zip(v.tolist(), axis.astype(float).tolist(), strict=True):

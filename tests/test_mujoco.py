@@ -38,7 +38,7 @@ class Link:
 
     kind: str  # r, p; of a free base f
     place: str
-    quaternion: str
+    quaternion: str  # x y z w; MuJoCo's is w x y z
     axis: str
     mass: str
     com: str
@@ -69,8 +69,8 @@ def _drawn(draw: random.Random, kind: str, first: bool) -> Link:
     places = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
     moments = " ".join(f"{I[place]:.5f}" for place in places)
     unit = np.array([draw.gauss(0, 1) for _ in range(4)])
-    quaternion = "1 0 0 0" if kind == "f" else " ".join(
-        repr(float(x)) for x in unit / np.linalg.norm(unit))
+    quaternion = "0 0 0 1" if kind == "f" else " ".join(
+        repr(float(x)) for x in np.roll(unit, -1) / np.linalg.norm(unit))
     place = "0 0 0" if first else decimals(3, -0.3, 0.3)
     return Link(kind, place, quaternion, decimals(3, 0.1, 1), f"{mass:.3f}",
                 decimals(3, -0.1, 0.1), moments, decimals(1, 0.05, 0.5), decimals(1, 1, 30),
@@ -116,7 +116,9 @@ def mjcf(chain: Sequence[Link]) -> str:
             f'<joint type="{ {"r": "hinge", "p": "slide"}[x.kind] }" axis="{x.axis}" '
             f'damping="{x.damping}" stiffness="{x.stiffness}" springref="{x.rest}" '
             f'armature="{x.armature}"/>')
-        inner = (f'<body name="b{i}" pos="{x.place}" quat="{x.quaternion}">{joint}<inertial '
+        *vector, scalar = x.quaternion.split()
+        quaternion = " ".join((scalar, *vector))
+        inner = (f'<body name="b{i}" pos="{x.place}" quat="{quaternion}">{joint}<inertial '
                  f'pos="{x.com}" mass="{x.mass}" fullinertia="{x.moments}"/>{inner}</body>')
     return ('<mujoco><compiler angle="radian" balanceinertia="false" autolimits="false"/>'
             f'<option gravity="0 0 -9.81" integrator="RK4" timestep="{STEP}">'
@@ -146,7 +148,7 @@ def frames(free: bool, q: np.ndarray, nv: int) -> np.ndarray:
     T = np.eye(nv)
     if free:
         R = np.zeros(9)
-        mujoco.mju_quat2Mat(R, q[3:7])
+        mujoco.mju_quat2Mat(R, np.roll(q[3:7], 1))
         T[:3, :3] = R.reshape(3, 3)
     return T
 

@@ -19,10 +19,11 @@ from gmpy2 import mpq
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.exact import truth, ulp
 from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.native.timing import Timing
 from coscrew_codegen.report import errors, inputs, measure, native, ranking
 from coscrew_codegen.report.c_text import Variant, last_component
 from coscrew_codegen.report.drift import deviations, drifts, power
-from coscrew_codegen.report.schema import Report
+from coscrew_codegen.report.schema import SCHEMA, Report
 from coscrew_codegen.report.timing import Timed, python_function
 from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
@@ -224,25 +225,37 @@ def test_a_chain_of_calls_waits_for_each(tmp_path: Path):
     (compiler, *_) = native.compilers(tmp_path)
     (library,) = native.libraries([plain], [compiler], tmp_path)
     arguments = inputs.split(plain.operation, inputs.benign(plain.operation, DOUBLE, 256, 1))
-    chain, rows, planes = (library.time(plain, loop, arguments, 2e7)[0]
+    chain, rows, planes = (library.times([plain], loop, [arguments], 2e7)[0].minimum
                            for loop in ("chain", "rows", "planes"))
     assert chain > 2 * rows > 0 and chain > 2 * planes > 0
 
 
-def test_dominated_is_no_faster_and_no_better():
+def test_dominated_is_slower_and_no_better_with_intervals_apart():
     variants = variants_of(BY_NAME["dot_cs"], DOUBLE)
     keys = [("dot_cs", "double", tier) for tier in ("plain", "fused", "accurate", "certified")]
+    spread = np.linspace(0.9, 1.1, 25)  # its interval is about ±4 %
 
     def verdicts(ns: tuple[float, ...], worst: tuple[float, ...]) -> list[tuple[float, bool]]:
-        timed = [Timed(v, "C", "gcc", "latency", t, t) for v, t in
-                 zip(variants, ns, strict=False)]
+        timed = [[Timed(v, "C", "gcc", "latency", Timing(t * spread)) for v, t in
+                  zip(variants, ns, strict=False)]]
         found = ranking.times(timed, dict(zip(keys, worst, strict=False)))
-        return [(found[k][0].ratio, found[k][0].dominated) for k in keys[:len(ns)]]
+        return [(round(found[k][0].ratio, 9), found[k][0].dominated) for k in keys[:len(ns)]]
 
     assert verdicts((2, 1, 6), (9, 8, 1)) == [(1, True), (0.5, False), (3, False)]
     assert verdicts((1, 2, 3), (9, 8, 8)) == [(1, False), (2, False), (3, True)]
     assert verdicts((1, 1, 1), (5, 5, 5)) == [(1, False)] * 3
     assert verdicts((1, 2, 3, 4), (9, 9, 1, 9))[1:] == [(2, True), (3, False), (4, False)]
+    assert verdicts((1, 1.05), (5, 5)) == [(1, False), (1.05, False)]  # intervals overlap
+    assert verdicts((1, 1.2), (5, 5)) == [(1, False), (1.2, True)]
+
+
+def test_a_ratio_is_taken_round_by_round():
+    """A machine that slows down to a half after some rounds slows both: the ratio stays."""
+    slow = np.repeat([1.0, 2.0], 20)
+    noisy = slow * np.linspace(1.99, 2.01, 40)
+    ratio = Timing(noisy).ratio(Timing(slow))
+    assert 1.99 < ratio.low < ratio.median < ratio.high < 2.01
+    assert Timing(slow).time.low == 1 and Timing(slow).time.high == 2
 
 
 def test_power_and_deviations_of_a_quarter_turn():
@@ -287,7 +300,9 @@ def test_the_report_holds_what_was_asked(made: Path):
     for entry in report.entries:
         layouts = {t.layout for t in entry.times if t.language == "C"}
         assert layouts == {"array of structs", "structure of arrays", "latency"}
-        assert all(t.ns > 0 and t.spread >= 0 for t in entry.times)
+        assert all(0 < t.minimum <= t.low <= t.ns <= t.high and t.rounds >= 6
+                   for t in entry.times)
+        assert all(t.ratio_low <= t.ratio <= t.ratio_high for t in entry.times if t.ratio)
         assert entry.benign.median <= entry.benign.p999 <= entry.benign.worst
         assert not entry.bound or 0 < entry.bound.worst_ratio <= 1
     accurate = next(e for e in report.entries if (e.operation, e.precision, e.tier)
@@ -310,11 +325,11 @@ def test_a_comparison_names_file_and_ratio(made: Path, tmp_path: Path):
 
 
 @pytest.mark.parametrize("change", [
-    ("schema", 2), ("entries", {}), ("provenance", None), ("drift", [{"precision": "double"}])])
+    ("schema", 1), ("entries", {}), ("provenance", None), ("drift", [{"precision": "double"}])])
 def test_a_report_that_is_none_is_refused(made: Path, change: tuple[str, object]):
     found = json.loads((made / "report.json").read_text())
     found[change[0]] = change[1]
-    with pytest.raises(ValueError, match=f"schema 1|{change[0]}"):
+    with pytest.raises(ValueError, match=f"schema {SCHEMA}|{change[0]}"):
         Report.from_json(json.dumps(found))
 
 

@@ -15,6 +15,7 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
 
 from coscrew_codegen.emit import EmitError
+from coscrew_codegen.report.overview import formatted
 from coscrew_codegen.report.page import write
 from tests.browser import chromium, resize
 from tests.sample_report import sample_report
@@ -100,6 +101,12 @@ def test_the_table_has_a_row_for_each_entry_with_its_numbers(page):
                 wanted = getattr(errors, name) if errors else math.nan
                 assert same(float(cells[f"{inputs}-{name}"][0]), wanted), (variant(entry), name)
         assert same(float(cells["ns"][0]), ns(entry, SHOWN_FIRST))
+        time = next((t for t in entry.times if layout_name(t) == SHOWN_FIRST), None)
+        assert cells["interval"][1] == (
+            f"{formatted(time.low)}–{formatted(time.high)}" if time else "–")
+        assert cells["ratio"][1] == ("–" if not time or time.ratio is None else (
+            f"{formatted(time.ratio)} × ({formatted(time.ratio_low)}–"
+            f"{formatted(time.ratio_high)})"))
         assert same(float(cells["ratio-to-bound"][0]),
                     entry.bound.worst_ratio if entry.bound else math.nan)
         assert int(cells["flops"][0]) == entry.flops
@@ -172,6 +179,12 @@ def test_plot_and_table_hold_the_same_numbers(page, layout, inputs):
                                    float(found[name][f"{inputs}-worst"][0]))
             assert (x, y) == (ns(entries[name], layout), getattr(entries[name], inputs).worst)
             assert hollow == (found[name]["pareto"][1] == "○ dominated") == ("fused" in name)
+        whiskers = page.execute_script("""
+            return [...document.querySelectorAll("#pareto-plot .interval")].map(line =>
+              [line.dataset.variant, line.dataset.low, line.dataset.high]);""")
+        assert sorted((name, float(low), float(high)) for name, low, high in whiskers) == sorted(
+            (variant(e), t.low, t.high) for e in entries.values() for t in e.times
+            if layout_name(t) == layout)
 
 
 def test_the_headline_plots_hold_each_variant_once(page):
@@ -237,8 +250,8 @@ def test_an_operation_s_name_in_the_table_shows_it(page):
 
 def test_drift_and_changes_are_in_tables(page):
     cells = [cell.text for cell in page.find_elements(By.CSS_SELECTOR, "#drift tbody td")]
-    assert cells == ["double", "no", "1000", "12.5", "101", "20.5",
-                     "single", "yes", "1000000", "1.5", "∞", "30.3"]
+    assert cells == ["double", "no", "1000", "12.5", "101", "20.5 (20.3–21)",
+                     "single", "yes", "1000000", "1.5", "∞", "30.3 (30–30.5)"]
     cells = [cell.text for cell in page.find_elements(By.CSS_SELECTOR, "#compare tbody td")]
     assert cells[:7] == ["cross_sc", "single", "plain", "worst error, hard, ulp", "4", "1",
                          "0.25 ×"]
@@ -334,7 +347,11 @@ def test_markdown_says_the_same_numbers(folder):
         for cell, value in zip(row[3:9], wanted, strict=True):
             value = math.nan if value is None else value
             assert same(shown(cell), value) or math.isclose(shown(cell), value, rel_tol=0.005), row
-        assert row[9] == ("–" if not time else "○ dominated" if time.dominated else "● best")
+        for cell, ends in zip(row[7:9], ((time.low, time.high), (time.ratio_low, time.ratio_high))
+                              if time else (), strict=False):
+            assert cell.endswith("({}–{})".format(*map(formatted, ends))) or cell == "–", row
+        assert row[9] == ("–" if not time else
+                          "○ dominated" if time.dominated else "● undominated")
 
 
 def test_markdown_shows_awkward_text_as_it_is(folder):
@@ -355,8 +372,9 @@ def test_figures_are_whole_and_hold_a_mark_for_each_variant(folder):
             path.name, (path.stem.removeprefix("pareto-"),))
         wanted = [f"{e.operation}-{e.precision}-{e.tier}" for e in REPORT.entries
                   if e.operation in operations]
-        assert sorted(name for name in ids if name in wanted) == (
-            [] if "condition" in path.name else sorted(wanted))
+        for end in ("", "-interval"):
+            assert sorted(name for name in ids if name in {f"{x}{end}" for x in wanted}) == (
+                [] if "condition" in path.name else sorted(f"{x}{end}" for x in wanted))
 
 
 def test_operations_have_figures_on_demand(tmp_path):

@@ -60,14 +60,13 @@ def test_axis_angle_is_the_exponential(axis, angle):
     assert far(matrix(R), about(axis, number(angle))) < mpmath.mpf(10)**-47
 
 
-@pytest.mark.parametrize("quaternion", [("0.5", "0.5", "0.5", "0.5"), ("0.6", "0", "-0.8", "0"),
-                                        ("2", "0.1", "-0.7", "0.3")])
+@pytest.mark.parametrize("quaternion", [("0.5", "0.5", "0.5", "0.5"), ("0", "-0.8", "0", "0.6"),
+                                        ("0.1", "-0.7", "0.3", "2")])
 def test_quaternions_turn_like_their_axis_and_angle(quaternion):
-    w, *vector = map(F, quaternion)
-    size = mpmath.sqrt(sum(number(x)**2 for x in quaternion[1:]))
-    angle = 2 * mpmath.atan2(size, number(quaternion[0]))
-    R = rotations.from_quaternion((w, *vector))
-    truth = about([number(x) for x in quaternion[1:]], angle)
+    *vector, scalar = map(number, quaternion)
+    angle = 2 * mpmath.atan2(mpmath.norm(vector), scalar)
+    R = rotations.from_quaternion(tuple(map(F, quaternion)))
+    truth = about(vector, angle)
     assert far(matrix(R), truth) < mpmath.mpf(10)**-48
 
 

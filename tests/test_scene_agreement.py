@@ -216,7 +216,7 @@ def test_a_step_of_rk4_on_quaternions_has_order_four(scenes):
     inertia = np.array([1.0, 2.0, 3.0])
 
     def drift(n: int) -> float:
-        q, v = np.array([1.0, 0, 0, 0]), np.array([1.0, 2.0, -0.5])
+        q, v = np.array([0, 0, 0, 1.0]), np.array([1.0, 2.0, -0.5])
         for _ in range(n):
             q, v = kernels.double.step_rk4(1 / n, q, v)
         return float(np.abs(_turned(q, inertia * v) - inertia * [1.0, 2.0, -0.5]).max())
@@ -227,7 +227,7 @@ def test_a_step_of_rk4_on_quaternions_has_order_four(scenes):
 
 def _turned(q: np.ndarray, x: np.ndarray) -> np.ndarray:
     """R(q) x."""
-    w, u = q[0], q[1:]
+    u, w = q[:3], q[3]
     return x + 2 * np.cross(u, np.cross(u, x) + w * x)
 
 

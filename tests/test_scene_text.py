@@ -73,7 +73,7 @@ def test_header_tells_order_units_sizes_and_defaults():
     for line in ("  q 0-6   v 0-5  free       root", "  q 7     v 6    revolute   knee",
                  "  q 8-11  v 7-9  spherical  hip", "  q 12    v 10   prismatic  foot"):
         assert line in text
-    assert "free: q: position in m, then quaternion (w, x, y, z)" in text
+    assert "free: q: position in m, then quaternion (x, y, z, w)" in text
     assert "prismatic: q in m; v in m/s." in text
     assert "0 trunk, 1 shank" in text
     assert "Parameters p: 0 tool.mass = 0.1." in text
@@ -224,4 +224,4 @@ def _walker() -> SceneFunctions:
     return replace(
         CASES["pendulum"](), name="walker", nq=nq, nv=nv, coordinates=tuple(coordinates), steps=(),
         bodies=("trunk", "shank"), parameters=(("tool.mass", 0.1),),
-        neutral=(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
+        neutral=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))

@@ -239,7 +239,7 @@ def test_drag_falls_with_no_more_than_its_damping(speed: tuple) -> None:
     slope rho area |v| along v: a = -(500 |v| v) / (m + h 1000 |v|)."""
     f = Evaluated(scene(chain((Kind.FREE, Z, HERE, inertia(1, moments=(1, 1, 1, 0, 0, 0)))),
                         applied("drag", "b0", rho=1000, area=1)), MULTIPRECISE)
-    a = f("implicit_acceleration", h=mpf(100), q=numbers(0, 0, 0, 1, 0, 0, 0), v=[*speed, 0, 0, 0])
+    a = f("implicit_acceleration", h=mpf(100), q=numbers(0, 0, 0, 0, 0, 0, 1), v=[*speed, 0, 0, 0])
     size = mpmath.norm(speed)
     for v, x in zip(speed, a, strict=False):
         assert 0 <= (v + 100 * x) * v <= v * v

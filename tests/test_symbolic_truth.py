@@ -23,7 +23,7 @@ from tests.test_numeric_truth import NUMERIC
 THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
 SHAPES = {"vec3": (3,), "mat3x3": (3, 3), "SE3": (3, 4), "screw": (6,), "coscrew": (6,),
           "mat6x6": (6, 6), "quaternion": (4,), "inertia": (10,)}  # of the C types, row by row
-NAMES = {"vec3": ["x", "y", "z"], "quaternion": ["w", "x", "y", "z"],
+NAMES = {"vec3": ["x", "y", "z"], "quaternion": ["x", "y", "z", "w"],
          "inertia": ["m", "hx", "hy", "hz", "xx", "yy", "zz", "xy", "xz", "yz"]}
 
 COMPARED = tuple(op for op in OPERATIONS if op not in NUMERIC)  # those in tests/test_numeric_truth

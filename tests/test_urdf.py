@@ -231,10 +231,10 @@ def test_a_scene_names_its_file_beside_it(tmp_path):
     (tmp_path / "models/arm.urdf").write_text(ARM)
     scene_file = tmp_path / "swing.toml"
     scene_file.write_text('model = "models/arm.urdf"\nbase = "free"\n[start.q]\n'
-                          "base = [0, 0, 1, 1, 0, 0, 0]\n")
+                          "base = [0, 0, 1, 0, 0, 0, 1]\n")
     scene = read_scene(scene_file, CATALOGUE)
     assert scene.model == read_urdf(tmp_path / "models/arm.urdf", Kind.FREE)
-    assert scene.start_q == {"base": (0, 0, 1, 1, 0, 0, 0)}
+    assert scene.start_q == {"base": (0, 0, 1, 0, 0, 0, 1)}
 
 
 @pytest.mark.parametrize("model, words", [

@@ -3,8 +3,7 @@
 import argparse
 from pathlib import Path
 
-from coscrew_codegen.cost import CostError
-from coscrew_codegen.simulate.command import NEEDED, add_scene
+from coscrew_codegen.simulate.command import add_scene
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -29,14 +28,12 @@ def _digits(text: str) -> int:
 
 def run(options: argparse.Namespace) -> int:
     """Measure and print; returns the exit status."""
-    try:
-        from coscrew_codegen.simulate.load import load_scene
-        from coscrew_codegen.cost import measure, plot, table
-        from coscrew_codegen.simulate.outcome import Asked
-        from coscrew_codegen.simulate.plot import ENDINGS
-        from coscrew_codegen.simulate.write import check_target
-    except ModuleNotFoundError as error:
-        raise CostError(f"cost {NEEDED.format(error.name)}") from None
+    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.cost import measure, plot, table
+    from coscrew_codegen.simulate.outcome import Asked
+    from coscrew_codegen.simulate.plot import ENDINGS
+    from coscrew_codegen.simulate.write import check_target
+
     if options.plot:
         check_target(options.plot, ENDINGS)
     costs = measure.measure(load_scene(options.scene), Asked(

@@ -61,7 +61,7 @@ def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np
 
 
 def _rates(system: System) -> Rates:
-    """(t, y) -> y', y = (q; v); quaternions move as r' = r (0; ω) / 2."""
+    """(t, y) -> y', y = (q; v); quaternions move as r' = r (ω; 0) / 2."""
     forward = next(f.program for f in system.functions.functions if f.name == "forward_dynamics")
     nq, nv = system.functions.nq, system.functions.nv
     p, tau = [mpf(x) for x in system.p], [mpf(0)] * nv
@@ -90,19 +90,19 @@ def _q_rates(system: System, q: Numbers, v: Numbers) -> Numbers:
         if c.kind not in ("spherical", "free"):
             result += speeds
             continue
-        w, x, y, z = q[c.q.stop - 4:c.q.stop]
+        x, y, z, w = q[c.q.stop - 4:c.q.stop]
         a, b, d = (s / 2 for s in speeds[-3:])
-        turn = [-x * a - y * b - z * d, w * a + y * d - z * b, w * b + z * a - x * d,
-                w * d + x * b - y * a]
+        turn = [w * a + y * d - z * b, w * b + z * a - x * d, w * d + x * b - y * a,
+                -x * a - y * b - z * d]
         if c.kind == "free":
-            result += _turned((w, x, y, z), speeds[:3])
+            result += _turned((x, y, z, w), speeds[:3])
         result += turn
     return result
 
 
 def _turned(q: Sequence[mpf], v: Numbers) -> Numbers:
     """R(q) v."""
-    w, u, norm = q[0], q[1:], sum(x * x for x in q)
+    u, w, norm = q[:3], q[3], sum(x * x for x in q)
     along = sum(x * y for x, y in zip(u, v, strict=True))
     across = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     square = w * w - sum(x * x for x in u)

@@ -1,7 +1,6 @@
 """C text: loops over a scene's functions and whole runs of its integrators; its library, timed."""
 
 import ctypes
-import functools
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +11,8 @@ from coscrew_codegen.cost.leaving_out import Part
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.report.native import pointers, timed_calls
+from coscrew_codegen.native.buffers import aligned
+from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
@@ -20,16 +20,7 @@ from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
 
 ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
-_SAMPLE = 20e3  # ns a timed sample takes at least, many times what clocks resolve
 State = tuple[np.ndarray, np.ndarray]
-
-
-@dataclass(frozen=True)
-class Timed:
-    """ns per call: the shortest, and how far the median is above it."""
-
-    minimum: float
-    spread: float
 
 
 @dataclass(frozen=True)
@@ -39,25 +30,23 @@ class Compiled:
     part: Part
     library: ctypes.PyDLL
 
-    def time(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
-             seconds: float) -> Timed:
-        """A function's time per call over `inputs`, ELEMENTS of each, in about `seconds`."""
-        run = functools.partial(timed_calls, self.library, _loop(function.name, precision),
-                                ELEMENTS, pointers((*_given(inputs, precision),
-                                                    *_made(function, precision))))
-        calls = 1
-        while (sample := run(calls, 3).min() * ELEMENTS * calls) < _SAMPLE:
-            calls *= 2
-        samples = run(calls, max(5, int(1e9 * seconds / sample)))
-        return Timed(float(samples.min()), float(np.median(samples) / samples.min() - 1))
+    def loop(self, function: Function, precision: Precision,
+             inputs: Sequence[np.ndarray]) -> Loop:
+        """A function's loop over `inputs`, ELEMENTS of each."""
+        return self._loop(function, precision, inputs, _made(function, precision))
 
     def once(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray]
              ) -> list[np.ndarray]:
         """What the timed loop computes: the outputs, (ELEMENTS, numbers) each."""
         made = _made(function, precision)
-        timed_calls(self.library, _loop(function.name, precision), ELEMENTS,
-                    pointers((*_given(inputs, precision), *made)), 1, 1)
+        loop = self._loop(function, precision, inputs, made)
+        loop.function(ctypes.c_long(loop.n), loop.arguments)
         return made
+
+    def _loop(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
+              made: list[np.ndarray]) -> Loop:
+        return Loop(getattr(self.library, _loop(function.name, precision)), ELEMENTS,
+                    pointers((*_given(inputs, precision), *made)))
 
     def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
@@ -73,18 +62,19 @@ class Compiled:
 
 
 def _given(inputs: Sequence[np.ndarray], precision: Precision) -> list[np.ndarray]:
-    return [np.ascontiguousarray(x, precision.numpy_type) for x in inputs]
+    return [aligned(np.asarray(x, precision.numpy_type)) for x in inputs]
 
 
 def _made(function: Function, precision: Precision) -> list[np.ndarray]:
-    return [np.zeros((ELEMENTS, size(a)), precision.numpy_type) for a in outputs(function)]
+    return [aligned(np.zeros((ELEMENTS, size(a)), precision.numpy_type))
+            for a in outputs(function)]
 
 
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
     """A part's loops over these functions, compiled as load_scene does; CompilationError if not."""
     name = part.functions.name
     files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
-             "driver.c": render("report/driver.c")}
+             "driver.c": driver()}
     units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
     return Compiled(part, library(units, files, compiler))
 

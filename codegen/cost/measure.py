@@ -10,11 +10,13 @@ from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.leaving_out import TELLING, Part, parts
-from coscrew_codegen.cost.loops import ELEMENTS, Compiled, Timed, compiled
+from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.report.variants import flops
+from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.native.timing import timed_loops
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Trajectory, plan
@@ -24,7 +26,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 from coscrew_codegen.targets.precision import PRECISIONS
 
-_SECONDS = 0.02  # that each function is timed
+_SECONDS = 0.02  # that each function of each part is timed, in each precision
 
 Item = TypeVar("Item")
 
@@ -37,7 +39,7 @@ class Row:
     function: str
     words: str  # its operations by kind
     flops: int
-    times: tuple[Timed, Timed]  # double, single
+    times: tuple[Interval, Interval]  # ns per call: double, single
 
 
 @dataclass(frozen=True)
@@ -94,11 +96,15 @@ def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:
 
 
 def _rows(built: Sequence[Compiled], states: tuple[System, Trajectory]) -> Iterator[Row]:
-    for library in built:
-        for f in _functions(library.part):
-            inputs = _inputs(f, *states)
-            double, single = (library.time(f, x, inputs, _SECONDS) for x in PRECISIONS)
-            yield Row(library.part.words, f.name, counts_in_words(f.program), flops(f.program),
+    """Each function of the whole scene, with what other parts have of it: timed beside each other,
+    in both precisions."""
+    for name in (f.name for f in _functions(built[0].part)):
+        chosen = [(x, f) for x in built for f in _functions(x.part) if f.name == name]
+        loops = [x.loop(f, precision, _inputs(f, *states))
+                 for x, f in chosen for precision in PRECISIONS]
+        times = [x.time for x in timed_loops(built[0].library, loops, 1e9 * _SECONDS * len(loops))]
+        for (x, f), double, single in zip(chosen, times[::2], times[1::2], strict=True):
+            yield Row(x.part.words, f.name, counts_in_words(f.program), flops(f.program),
                       (double, single))
 
 

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
+from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.report.figures import STYLE
 from coscrew_codegen.simulate.write import delivered
 
@@ -34,7 +35,8 @@ def _bars(axes: Axes, costs: Costs) -> None:
     rows = [x for x in costs.rows if x.function == _SHOWN]
     for i, (precision, colour) in enumerate(_COLOURS.items()):
         bars = axes.barh([n + 0.4 * i for n in range(len(rows))],
-                         [x.times[i].minimum for x in rows], 0.38, color=colour, label=precision)
+                         [x.times[i].median for x in rows], 0.38, color=colour, label=precision,
+                         xerr=_whiskers([x.times[i] for x in rows]), error_kw={"linewidth": 1})
         for bar, row in zip(bars, rows, strict=True):
             bar.set_gid(f"{row.part}-{precision}-ns")
     for n, x in enumerate(rows):
@@ -47,6 +49,11 @@ def _bars(axes: Axes, costs: Costs) -> None:
     axes.legend(frameon=False)
 
 
+def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
+    """How far the intervals reach below and above their medians."""
+    return [[x.median - x.low for x in times], [x.high - x.median for x in times]]
+
+
 def _accuracy(axes: Axes, costs: Costs) -> None:
     axes.set_title("error at the end against time")
     names = list(dict.fromkeys(x.integrator for x in costs.points))
@@ -54,7 +61,7 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
         for precision, dash in _HATCHED.items():
             found = sorted((x for x in costs.points
                             if (x.integrator, x.precision) == (name, precision)
-                            and 0 < x.error < math.inf), key=lambda x: (x.seconds, x.error))
+                            and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
             if found:
                 _curve(axes, found, costs, dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
     if not axes.lines:
@@ -76,7 +83,10 @@ def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker:
     """An integrator's runs in one precision; hollow where the reference cannot tell the error."""
     first = points[0]
     name = f"{first.integrator} {first.precision}"
-    where = [(1e6 * x.seconds, x.error) for x in points]
+    where = [(1e6 * x.time.median, x.error) for x in points]
+    for x in points:
+        axes.plot([1e6 * x.time.low, 1e6 * x.time.high], [x.error] * 2, color=colour, linewidth=2,
+                  label="_", gid=f"{name} interval")
     axes.plot(*zip(*where), dash, color=colour, linewidth=1, label="_", gid=name)
     for hollow in (False, True):
         chosen = [at for at, x in zip(where, points) if costs.known(x) != hollow]

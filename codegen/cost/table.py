@@ -7,22 +7,24 @@ from tabulate import tabulate
 from coscrew_codegen.cost.leaving_out import TELLING
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
+from coscrew_codegen.native.intervals import Interval
 
-_MARKS = "* no run is faster and as accurate\n< as accurate as the reference: it cannot tell more"
+_MARKS = ("* no run is faster, the intervals apart, and as accurate\n"
+          "< as accurate as the reference: it cannot tell more")
 
 
 def table(costs: Costs) -> str:
     """What costs.svg shows, and more: functions, effects, accuracy."""
-    parts = [f"{costs.scene}: {costs.compiler}; ns per call in C, the shortest",
+    parts = [f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
+             "in which all parts and both precisions take turns",
              _functions(costs), _effects(costs), _accuracy(costs)]
     return "\n\n".join(x for x in parts if x)
 
 
 def _functions(costs: Costs) -> str:
-    rows = [(x.function, x.flops, *(t.minimum for t in x.times), x.words)
+    rows = [(x.function, x.flops, *map(_in_words, x.times), x.words)
             for x in costs.rows if x.part == "all effects"]
-    return tabulate(rows, ("all effects", "flops", "double, ns", "single, ns", "operations"),
-                    floatfmt=".3g")
+    return tabulate(rows, ("all effects", "flops", "double, ns", "single, ns", "operations"))
 
 
 def _effects(costs: Costs) -> str:
@@ -31,10 +33,9 @@ def _effects(costs: Costs) -> str:
     for name in TELLING:
         rows = [x for x in costs.rows if x.function == name]
         whole = rows[0].flops
-        lines = [(x.part, x.flops, whole - x.flops or None, *(t.minimum for t in x.times))
+        lines = [(x.part, x.flops, whole - x.flops or None, *map(_in_words, x.times))
                  for x in rows]
-        tables.append(tabulate(lines, (name, "flops", "saved", "double, ns", "single, ns"),
-                               floatfmt=".3g"))
+        tables.append(tabulate(lines, (name, "flops", "saved", "double, ns", "single, ns")))
     return "\n\n".join(tables) if len(rows) > 1 else ""
 
 
@@ -45,13 +46,18 @@ def _accuracy(costs: Costs) -> str:
     truth = costs.reference
     head = (f"Error of the coordinates at t = {truth.t:g} s against time; the reference is "
             f"{truth.words}, good to about {truth.error:.1g}.\nSteps of emitted integrators, in C; "
-            "tolerances of SciPy's, in Python.")
-    rows = [(x.integrator, x.precision, x.step, x.steps, 1e6 * x.seconds,
+            "tolerances of SciPy's, in Python.\nTimes: median (from low to high: in C a 95 % "
+            "interval; in Python the shortest and the longest).")
+    rows = [(x.integrator, x.precision, x.step, x.steps, _in_words(x.time, 1e6),
              x.error if math.isfinite(x.error) else "unstable", _mark(x, costs))
             for x in costs.points]
     headers = ("integrator", "precision", "step, s, or rtol", "steps", "time, µs",
                "error, m or rad", "best")
     return f"{head}\n{tabulate(rows, headers, floatfmt='.3g')}\n{_MARKS}"
+
+
+def _in_words(time: Interval, scale: float = 1) -> str:
+    return f"{scale * time.median:.3g} ({scale * time.low:.3g}–{scale * time.high:.3g})"
 
 
 def _mark(point: Point, costs: Costs) -> str:
@@ -61,6 +67,6 @@ def _mark(point: Point, costs: Costs) -> str:
 
 
 def _best(point: Point, costs: Costs) -> bool:
-    """Whether no other run is as fast and as accurate."""
+    """Whether no other run is faster, the intervals apart, and as accurate."""
     return math.isfinite(point.error) and not any(
-        x.seconds <= point.seconds and x.error <= point.error and x != point for x in costs.points)
+        x.time.below(point.time) and x.error <= point.error for x in costs.points)

@@ -9,18 +9,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.cost.loops import Compiled
+from coscrew_codegen.native.intervals import FEWEST, Interval, interval
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
-from coscrew_codegen.targets.precision import PRECISIONS
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 _TIGHTEST = 1e-13
 _PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take
 _MOST_STEPS = 1_000_000
 _DOUBLINGS = range(-6, 5, 2)  # of the scene's step
 _TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
-_REPEATS = 3
+_REPEATS = 3  # of SciPy's runs, unless they take longer than this many seconds:
+_SHORT = 1.0
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ class Point:
     precision: str
     step: float  # s; of SciPy's integrators the relative tolerance
     steps: int
-    seconds: float  # of processor time
+    time: Interval  # in s of processor time; of fewer than 6 runs, from shortest to longest
     error: float  # the largest of a coordinate, in m or rad (quaternions: of a component)
     by: str  # C, or Python
 
@@ -99,26 +101,38 @@ def _end(system: System, until: float, integrator: str, tolerance: float) -> Tra
 def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Asked,
                    truth: Reference) -> Iterator[Point]:
     """A point for each integrator, precision and step."""
-    for precision in PRECISIONS:
-        its = system(kernels, precision.name, dict(asked.settings))
-        for name in its.functions.steps:
-            for steps in _step_counts(planned):
-                h, best = planned.until / steps, math.inf
-                for _ in range(_REPEATS):
-                    q, _v, seconds = library.run(name, precision, steps, h, its.p, its.start())
-                    best = min(best, seconds)
-                yield Point(name.replace("_", "-"), precision.name, h, steps, best,
-                            error(its, q, truth), "C")
+    yield from _in_c(kernels, library, planned, asked, truth)
     for name, tolerances in (("dop853", _TOLERANCES), ("radau", _TOLERANCES[:4])):
         its = system(kernels, "double", dict(asked.settings))
         for tolerance in tolerances:
-            began = time.thread_time()
-            run = _end(its, planned.until, name, tolerance)
-            seconds = time.thread_time() - began
+            samples: list[float] = []
+            while len(samples) < (_REPEATS if sum(samples) < _SHORT else 1):
+                began = time.thread_time()
+                run = _end(its, planned.until, name, tolerance)
+                samples.append(time.thread_time() - began)
             if run is None:
                 break  # tighter ones would take longer still
-            yield Point(name, "double", tolerance, run.steps, seconds,
+            yield Point(name, "double", tolerance, run.steps, interval(np.array(samples)),
                         error(its, run.q[-1], truth), "Python")
+
+
+def _in_c(kernels: object, library: Compiled, planned: Plan, asked: Asked,
+          truth: Reference) -> Iterator[Point]:
+    """The integrators of the scene, timed in rounds: each run once in each."""
+    runs = [(system(kernels, precision.name, dict(asked.settings)), name, precision, steps)
+            for precision in PRECISIONS for name in library.part.functions.steps
+            for steps in _step_counts(planned)]
+
+    def run(its: System, name: str, precision: Precision, steps: int) -> tuple[np.ndarray, float]:
+        q, _v, seconds = library.run(name, precision, steps, planned.until / steps, its.p,
+                                     its.start())
+        return q, seconds
+
+    rounds = [[run(*x) for x in runs] for _ in range(FEWEST)]
+    for (its, name, precision, steps), found in zip(runs, zip(*rounds, strict=True), strict=True):
+        yield Point(name.replace("_", "-"), precision.name, planned.until / steps, steps,
+                    interval(np.array([seconds for _, seconds in found])),
+                    error(its, found[0][0], truth), "C")
 
 
 def _step_counts(planned: Plan) -> list[int]:

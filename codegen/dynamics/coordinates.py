@@ -9,11 +9,11 @@ from coscrew_codegen.dynamics.tree import Tree
 
 
 def neutral(tree: Tree) -> tuple[float, ...]:
-    """q with every joint at zero, quaternions at (1; 0, 0, 0)."""
+    """q with every joint at zero, quaternions at (0, 0, 0, 1)."""
     found: list[float] = []
     for link in tree.links:
         if link.driver is None:
-            turned = {Kind.FREE: 3, Kind.SPHERICAL: 0}.get(link.joint.kind)
+            turned = {Kind.FREE: 6, Kind.SPHERICAL: 3}.get(link.joint.kind)
             found += [float(i == turned) for i in range(link.joint.kind.nq)]
     return tuple(found)
 
@@ -42,7 +42,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
     """q exp(step/2), and a step of Newton's towards norm 1, so that roundings don't add up."""
     turned = recorder.call("product_qq", q, recorder.call("quaternion_exp", step))
-    square = dot(turned[1:], turned[1:]) + turned[0] * turned[0]
+    square = dot(turned[:3], turned[:3]) + turned[3] * turned[3]
     return scaled((3 - square) / 2, turned)
 
 

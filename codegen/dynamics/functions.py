@@ -51,7 +51,7 @@ class _Derivation:
         self.inputs = {
             "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
             "p": array("p", (len(scene.parameters),), "parameters"),
-            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (w; x, y, z)"),
+            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
             "v": array("v", (nv,), "speeds in m/s, rad/s"),
             "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
             "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),

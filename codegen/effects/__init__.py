@@ -14,3 +14,8 @@ EFFECTS: tuple[Effect, ...] = tuple(
     import_module(f"{__name__}.{module}").EFFECT
     for module in sorted(found.name for found in iter_modules(__path__)))
 """The catalogue, by name: a file put here is in it, one taken away is gone without a trace."""
+
+
+def effect_named(name: str) -> Effect:
+    """The effect of this name; a KeyError if there is none."""
+    return {effect.name: effect for effect in EFFECTS}[name]

@@ -1,4 +1,4 @@
-"""Quaternions q = (w; v): products, rotations, conversions, interpolation.
+"""Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
 
 Those of norm 1 are rotations, q and -q the same one.
 """
@@ -11,9 +11,9 @@ from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, nonzero, power_of_two,
                                              prefixed, safe_norm, safe_normalized, unnamed)
 from coscrew_codegen.operations.operation import Operation, scaled
-from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion_of,
-                                                 quaternion_product, rotation_vector,
-                                                 upper, versor)
+from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion, quaternion_of,
+                                                 quaternion_product, rotation_vector, scalar_part,
+                                                 upper, vector_part, versor)
 from coscrew_codegen.operations.special import vector
 from coscrew_codegen.quantity import MAT3X3, QUATERNION, SCALAR, VEC3, Argument
 
@@ -43,22 +43,22 @@ def _bound_normalized(let: Let, q: sp.Matrix) -> sp.Matrix:
 
 def _rotated(let: Let, q: sp.Matrix, v: sp.Matrix) -> sp.Matrix:
     """v + 2 w u × v + 2 u × (u × v)."""
-    w, u = q[0], q[1:, :]
+    u, w = vector_part(q), scalar_part(q)
     t = let("t", 2 * let("c", u.cross(v)))
     return v + let("turn", w * t + u.cross(t))
 
 
 _PRODUCTS = (
-    _op("quaternion_setIdentity", "self = (1; 0)", (_self,), (_self,),
-        lambda q: sp.Matrix([1, 0, 0, 0])),
-    _op("quaternion_conjugated", "qo = (w; -v), the inverse of q if |q| = 1", (_q,), (_qo,),
+    _op("quaternion_setIdentity", "self = (0; 1)", (_self,), (_self,),
+        lambda q: quaternion(sp.zeros(3, 1), 1)),
+    _op("quaternion_conjugated", "qo = (-v; w), the inverse of q if |q| = 1", (_q,), (_qo,),
         conjugate),
-    _op("quaternion_norm", "|q| = sqrt(w^2 + v·v)", (_q,), (_norm,), l2, safe_norm),
+    _op("quaternion_norm", "|q| = sqrt(v·v + w^2)", (_q,), (_norm,), l2, safe_norm),
     _op("quaternion_normalize", "self = self / |self|; zero stays zero", (_self,), (_self,),
         _normalized, _bound_normalized),
     _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_q,), (_qo,), _normalized,
         _bound_normalized),
-    _op("product_qq", "qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2)", (_q1, _q2), (_qo,),
+    _op("product_qq", "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2)", (_q1, _q2), (_qo,),
         quaternion_product),
     _op("product_qconjq", "qo = q1* q2, q1* the conjugate", (_q1, _q2), (_qo,),
         lambda p, q: quaternion_product(conjugate(p), q)),
@@ -75,7 +75,7 @@ _PRODUCTS = (
 def _matrix_of(let: Let, q: sp.Matrix) -> sp.Matrix:
     """Of the squares a, b, c, d both the diagonal's entries and q·q are made: where an entry is
     near 1, their roundings cancel."""
-    w, x, y, z = q
+    x, y, z, w = q
     a, b, c, d = let("squares", sp.Matrix([w * w, x * x, y * y, z * z]))
     pairs = let("pairs", sp.Matrix([a + b, c + d, a + c, b + d, a + d, b + c]))
     factor = let("factor", 1 / let("square", pairs[0] + pairs[1]))
@@ -93,18 +93,18 @@ def _of_matrix(let: Let, R: sp.Matrix) -> sp.Matrix:
 
 def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
     half = let("half", angle / 2)
-    return sp.Matrix.vstack(sp.Matrix([sp.cos(half)]), let("sine", sp.sin(half)) * axis)
+    return quaternion(let("sine", sp.sin(half)) * axis, sp.cos(half))
 
 
 def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times
     a power of two: a subnormal |v| has too few digits for a direction."""
     q = upper(let, q)
-    of_v = prefixed(let, "v")
-    s = power_of_two(of_v, "s", tuple(q[1:, :]))
-    v = of_v("y", q[1:, :].applyfunc(lambda component: scaled(component, s)))
+    of_v, w = prefixed(let, "v"), scalar_part(q)
+    s = power_of_two(of_v, "s", tuple(vector_part(q)))
+    v = of_v("y", vector_part(q).applyfunc(lambda component: scaled(component, s)))
     n = of_v("n", l2(v))
-    half = let("half", sp.atan2(let("n", scaled(n, inverse_power(of_v, "r", s))), q[0]))
+    half = let("half", sp.atan2(let("n", scaled(n, inverse_power(of_v, "r", s))), w))
     x, y, z = let("unit", divided(v, let("divisor", nonzero(n))))
     return 2 * half, sp.Matrix([sp.Piecewise((1, sp.Eq(n, 0)), (x, True)), y, z])
 
@@ -118,7 +118,7 @@ def axis_and_angle(v: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
 
 def _exp(v: sp.Matrix) -> sp.Matrix:
     x = v.dot(v) / 4
-    return sp.Matrix([special.g(0, x), *(special.g(1, x) * v / 2)])
+    return quaternion(special.g(1, x) * v / 2, special.g(0, x))
 
 
 def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
@@ -128,7 +128,7 @@ def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
 def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
     between = upper(let, let("between", quaternion_product(conjugate(q1), q2)))
     half, _, divisor = half_angle(let, between)
-    step = let("step", let("rate", half / divisor) * let("kv", k * between[1:, :]))
+    step = let("step", let("rate", half / divisor) * let("kv", k * vector_part(between)))
     return quaternion_product(q1, let("power", versor(prefixed(let, "exp"), step)))
 
 
@@ -139,14 +139,14 @@ _CONVERSIONS = (
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
         "rotation, off by as much as R", (_R,), (_qo,),
         lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (("qo", 5),)),
-    _op("quaternion_from_axis_angle", f"qo = (cos angle/2; axis sin angle/2); {UNIT_AXIS}",
+    _op("quaternion_from_axis_angle", f"qo = (axis sin angle/2; cos angle/2); {UNIT_AXIS}",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
         _of_axis_angle, (("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
         "multiple of a quaternion", (_q,), (_angle, _axis),
         lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle,
         (("angle", 5), ("axis", 4))),
-    _op("quaternion_exp", "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the "
+    _op("quaternion_exp", "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the "
         "rotation vector v", (_v,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (("qo", 7),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "

@@ -24,15 +24,30 @@ def rodrigues(let: Let, v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr,
     return symmetric + skew(let("alpha_v", alpha * v))
 
 
+def quaternion(v: sp.Matrix, w: sp.Expr) -> sp.Matrix:
+    """(v; w), the scalar last."""
+    return sp.Matrix([*v, w])
+
+
+def vector_part(q: sp.Matrix) -> sp.Matrix:
+    """v of q = (v; w)."""
+    return q[:3, :]
+
+
+def scalar_part(q: sp.Matrix) -> sp.Expr:
+    """w of q = (v; w)."""
+    return q[3]
+
+
 def quaternion_product(p: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
-    """(w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2)."""
-    (w1, v1), (w2, v2) = (p[0], p[1:, :]), (q[0], q[1:, :])
-    return sp.Matrix.vstack(sp.Matrix([w1 * w2 - v1.dot(v2)]), w1 * v2 + w2 * v1 + v1.cross(v2))
+    """(w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2)."""
+    (v1, w1), (v2, w2) = ((vector_part(x), scalar_part(x)) for x in (p, q))
+    return quaternion(w1 * v2 + w2 * v1 + v1.cross(v2), w1 * w2 - v1.dot(v2))
 
 
 def conjugate(q: sp.Matrix) -> sp.Matrix:
-    """(w; -v), the inverse of a quaternion of norm 1."""
-    return sp.Matrix([q[0], -q[1], -q[2], -q[3]])
+    """(-v; w), the inverse of a quaternion of norm 1."""
+    return quaternion(-vector_part(q), scalar_part(q))
 
 
 def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
@@ -50,20 +65,20 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
         return let(name, sp.Matrix([sp.Piecewise((one, test), (other, True))
                                     for one, other in zip(first, second, strict=True)]))
 
-    low = choice("low", b < a, (p[0], x, s[2], s[1]), (p[1], s[2], y, s[0]))
-    high = choice("high", a < -b, (p[2], s[1], s[0], z), (w, p[0], p[1], p[2]))
+    low = choice("low", b < a, (x, s[2], s[1], p[0]), (s[2], y, s[0], p[1]))
+    high = choice("high", a < -b, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
     return choice("column", c < 0, low, high)
 
 
 def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
     """q or -q, whichever has w >= 0."""
-    return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, q[0] < 0), (x, True))))
+    return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, scalar_part(q) < 0), (x, True))))
 
 
 def half_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """θ/2 = atan2(|v|, w), in [0, π/2]; |v|; and |v|, or 1 where it is zero, to divide by."""
-    n = let("n", safe_norm(prefixed(let, "v"), q[1:, :]))
-    return let("half", sp.atan2(n, q[0])), n, let("divisor", nonzero(n))
+    n = let("n", safe_norm(prefixed(let, "v"), vector_part(q)))
+    return let("half", sp.atan2(n, scalar_part(q))), n, let("divisor", nonzero(n))
 
 
 def rotation_vector(let: Let, q: sp.Matrix) -> tuple[sp.Matrix, Angle]:
@@ -71,11 +86,11 @@ def rotation_vector(let: Let, q: sp.Matrix) -> tuple[sp.Matrix, Angle]:
     half, n, divisor = half_angle(let, q)
     theta = let("theta", 2 * half)
     k = let("k", theta / divisor)
-    return let("vector", k * q[1:, :]), Angle.known(let, theta, n, q[0])
+    return let("vector", k * vector_part(q)), Angle.known(let, theta, n, scalar_part(q))
 
 
 def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
-    """exp (0; h) = (cos |h|; h sin |h| / |h|)."""
+    """exp (h; 0) = (h sin |h| / |h|; cos |h|)."""
     x = let("x", h.dot(h))
     size = let("size", sp.sqrt(x))
     cosine, sine = (let(name, far(x, function(size), sp.Integer(1)))
@@ -83,4 +98,4 @@ def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
     far_k = let("far_k", sine / let("divisor", far(x, size, sp.Integer(2))))
     k = let("k", far(x, far_k, taylor(1, x)))
     near = let("near", 1 - x * let("g2", taylor(2, x)))
-    return sp.Matrix.vstack(sp.Matrix([far(x, cosine, near)]), k * h)
+    return quaternion(k * h, far(x, cosine, near))

@@ -19,7 +19,7 @@ class quaternion_of(sp.Function):
 
 
 class quaternion_log(sp.Function):
-    """quaternion_log(i, w, x, y, z): component i of a quaternion multiple's rotation vector."""
+    """quaternion_log(i, x, y, z, w): component i of a quaternion multiple's rotation vector."""
 
 
 class slerp(sp.Function):

@@ -7,6 +7,7 @@ same call can be repeated), then to a zero.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from coscrew_codegen.native.buffers import plane_length
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
@@ -14,7 +15,6 @@ from coscrew_codegen.render import render
 from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
 from coscrew_codegen.targets.precision import Precision
 
-PADDING = 8  # elements between planes, lest their addresses are equal modulo a cache way
 _CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
 
 # Latencies of today's processors in cycles, to find the result that comes last.
@@ -101,7 +101,7 @@ def _rows(variant: Variant) -> tuple[list[str], list[str]]:
 
 def _planes(variant: Variant) -> tuple[list[str], list[str]]:
     """Components gathered from planes, the kernel, results scattered to planes."""
-    real, stride = variant.precision.c_type, variant.elements + PADDING
+    real, stride = variant.precision.c_type, plane_length(variant.elements, variant.precision.bytes)
     pointers, gathers, scatters = [], [], []
     for number, a, read in _numbered(variant.operation):
         const, name = ("const ", f"{a.name}_in") if read else ("", f"{a.name}_out")

@@ -34,11 +34,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(options: argparse.Namespace) -> int:
     """Measure and write the report; returns the exit status."""
-    try:
-        from coscrew_codegen.report import inputs, measure, page, ranking, summary
-    except ModuleNotFoundError as error:
-        raise ReportError(f"the report needs {error.name}; run `pip install \"coscrew[report]\"`"
-                          ) from None
+    from coscrew_codegen.report import inputs, measure, page, ranking, summary
+
     if not (math.isfinite(options.minutes) and options.minutes > 0):
         raise ReportError(f"--minutes: wanted a positive number; got {options.minutes}")
     if options.seed < 0:

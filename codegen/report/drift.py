@@ -8,25 +8,27 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.exact import DIGITS, UNIT
+from coscrew_codegen.native.intervals import FEWEST, interval
 from coscrew_codegen.report.native import Library, loaded
 from coscrew_codegen.report.schema import Drift
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 STEPS = 1_000_000
 EVERY = 1000  # steps between two Newton steps R ← R (3I - R^T R) / 2
-_RUNS = 3
+_RUNS = FEWEST  # of each precision, with and without: in turn
 
 
 def drifts(library: Library, steps: int = STEPS) -> Iterator[Drift]:
     """The drift in both precisions, without and with re-orthonormalising."""
-    for precision in PRECISIONS:
-        E = _step().astype(precision.numpy_type)
-        truth = power(E, steps)
-        for every in (0, EVERY):
-            D, ns = _run(library, precision, E, steps, every)
-            defect, error = deviations(D, truth)
-            u = float(UNIT[precision.name])
-            yield Drift(precision.name, bool(every), steps, defect / u, error / u, ns / steps)
+    cases = [(precision, _step().astype(precision.numpy_type), every)
+             for precision in PRECISIONS for every in (0, EVERY)]
+    rounds = [[_run(library, *case, steps) for case in cases] for _ in range(_RUNS)]
+    for (precision, E, every), runs in zip(cases, zip(*rounds, strict=True), strict=True):
+        defect, error = deviations(runs[0][0], power(E, steps))
+        u = float(UNIT[precision.name])
+        ns = interval(np.array([ns / steps for _, ns in runs]))
+        yield Drift(precision.name, bool(every), steps, defect / u, error / u, ns.median, ns.low,
+                    ns.high)
 
 
 def power(E: np.ndarray, steps: int) -> mpmath.matrix:
@@ -61,15 +63,12 @@ def _step() -> np.ndarray:
     return np.hstack([R, [[0.001], [0.002], [-0.0005]]])
 
 
-def _run(library: Library, precision: Precision, E: np.ndarray, steps: int,
-         every: int) -> tuple[np.ndarray, float]:
-    """The displacement after all steps, and the shortest time of a few runs, in ns."""
-    step, times = np.ascontiguousarray(E.T), []
+def _run(library: Library, precision: Precision, E: np.ndarray, every: int,
+         steps: int) -> tuple[np.ndarray, float]:
+    """The displacement after all steps, and the time in ns."""
+    step, D = np.ascontiguousarray(E.T), np.ascontiguousarray(np.eye(4, 3, dtype=E.dtype))
     run = getattr(loaded(library.path), f"drift{precision.suffix}")
-    for _ in range(_RUNS):
-        D = np.ascontiguousarray(np.eye(4, 3, dtype=E.dtype))
-        start = time.perf_counter_ns()
-        run(ctypes.c_void_p(D.ctypes.data), ctypes.c_void_p(step.ctypes.data),
-            ctypes.c_long(steps), ctypes.c_long(every))
-        times.append(time.perf_counter_ns() - start)
-    return D.T, float(min(times))
+    start = time.perf_counter_ns()
+    run(ctypes.c_void_p(D.ctypes.data), ctypes.c_void_p(step.ctypes.data),
+        ctypes.c_long(steps), ctypes.c_long(every))
+    return D.T, float(time.perf_counter_ns() - start)

@@ -73,21 +73,23 @@ def _pareto(operation: str, entries: list[Entry], layout: str) -> str:
 
 
 def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str) -> None:
-    """One mark per tier at (ns, worst error), joined where not dominated, named at the last."""
+    """One mark per tier at (ns, worst error), its interval as a line; joined where not dominated,
+    named at the last."""
     marks = []
     for entry in entries:
         time, errors = time_of(entry, layout), entry.hard or entry.benign
         if time and errors and not isnan(errors.worst):
-            marks.append((time.ns, errors.worst, entry, time.dominated))
-    best = sorted((x, y) for x, y, _, dominated in marks if not dominated)
+            marks.append((time, errors.worst, entry))
+    best = sorted((time.ns, y) for time, y, _ in marks if not time.dominated)
     axes.plot([x for x, _ in best], [y for _, y in best], ":", color="#9aa2b1", zorder=1)
-    for x, y, entry, dominated in marks:
-        colour = _COLOURS[entry.tier]
+    for time, y, entry in marks:
+        colour, variant = _COLOURS[entry.tier], f"{entry.operation}-{entry.precision}-{entry.tier}"
         # An infinite error stands at the upper edge of the axes.
         at, transform = (y, axes.transData) if isfinite(y) else (1, axes.get_xaxis_transform())
-        axes.plot([x], [at], _MARKERS[entry.precision], color=colour, transform=transform,
-                  markerfacecolor="white" if dominated else colour, clip_on=False,
-                  gid=f"{entry.operation}-{entry.precision}-{entry.tier}")
+        axes.plot([time.low, time.high], [at, at], "|-", color=colour, transform=transform,
+                  linewidth=1.2, clip_on=False, gid=f"{variant}-interval")
+        axes.plot([time.ns], [at], _MARKERS[entry.precision], color=colour, transform=transform,
+                  markerfacecolor="white" if time.dominated else colour, clip_on=False, gid=variant)
     if best:
         axes.annotate(name, best[0], (-4, 9), textcoords="offset points")
 

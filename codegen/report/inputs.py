@@ -139,9 +139,9 @@ def _displacements(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray
 
 
 def _quaternions(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
-    """(cos θ/2; k sin θ/2), about random axes."""
+    """(k sin θ/2; cos θ/2), about random axes."""
     half = angles[:, None] / 2
-    return np.hstack([np.cos(half), np.sin(half) * _axes(numbers, angles, 3)])
+    return np.hstack([np.sin(half) * _axes(numbers, angles, 3), np.cos(half)])
 
 
 def _sines_and_cosines(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:

@@ -14,6 +14,7 @@ from coscrew_codegen.report.overview import (
     largest_changes,
     sentences,
     time_of,
+    with_interval,
 )
 from coscrew_codegen.report.schema import Change, Entry, Errors, Report
 
@@ -52,8 +53,9 @@ def _kernels(entries: list[Entry], layout: str) -> str:
             f"`{entry.operation}`", entry.precision, entry.tier,
             _worst(entry.benign, entry.measure), _worst(entry.hard, entry.measure),
             formatted(entry.bound and entry.bound.worst_ratio), entry.flops,
-            formatted(time and time.ns), formatted(time and time.ratio),
-            ("○ dominated" if time.dominated else "● best") if time else "–"))
+            with_interval(time.ns, time.low, time.high) if time else "–",
+            with_interval(time.ratio, time.ratio_low, time.ratio_high) if time else "–",
+            ("○ dominated" if time.dominated else "● undominated") if time else "–"))
     return _table(rows, _COLUMNS)
 
 
@@ -63,7 +65,8 @@ def _worst(errors: Errors | None, measure: str) -> str:
 
 def _drift(report: Report) -> str:
     return _table([(d.precision, "yes" if d.orthonormalised else "no", d.steps,
-                    formatted(d.defect_u), formatted(d.error_u), formatted(d.ns_per_step))
+                    formatted(d.defect_u), formatted(d.error_u),
+                    with_interval(d.ns_per_step, d.ns_low, d.ns_high))
                    for d in report.drift], _DRIFT)
 
 

@@ -143,19 +143,21 @@ def _ignore_interrupts() -> None:
 
 
 def _timed_in_c(variants: list[Variant], built: tuple[Library, ...], seed: int,
-                seconds: float) -> Iterator[Timed]:
+                seconds: float) -> Iterator[list[Timed]]:
     for library in built:
         yield from _progress(timing.compiled(library, variants, seed, seconds / len(built)),
                              f"times, {library.compiler.name}",
-                             len(variants) * len(timing.LAYOUTS))
+                             len(timing.contests(variants)) * len(timing.LAYOUTS))
 
 
-def _timed_in_python(variants: list[Variant], seed: int, seconds: float) -> Iterator[Timed]:
+def _timed_in_python(variants: list[Variant], seed: int,
+                     seconds: float) -> Iterator[list[Timed]]:
     callable_ = [v for v in variants if timing.python_function(v)]
     telling = sorted(callable_, key=lambda v: v.operation.name not in TELLING)
     for count, share in zip(COUNTS, _PYTHON_SHARES, strict=True):
         found = timing.in_python(telling, count, seed, share * seconds)
-        yield from filter(None, _progress(found, f"times, Python, N = {count}", len(telling)))
+        yield from _progress(found, f"times, Python, N = {count}",
+                             len(timing.contests(telling)))
 
 
 def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:

@@ -13,13 +13,14 @@ from shutil import which
 import numpy as np
 
 import coscrew
+from coscrew_codegen.native.buffers import aligned, planes
+from coscrew_codegen.native.timing import Loop, Timing, driver, pointers, timed_loops
 from coscrew_codegen.render import render
 from coscrew_codegen.report import ReportError
-from coscrew_codegen.report.c_text import PADDING, Variant, kernels_text
+from coscrew_codegen.report.c_text import Variant, kernels_text
 from coscrew_codegen.report.schema import Compiler
 
 _FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off")
-_SAMPLE = 20e3  # ns a timed sample takes at least, many times what clocks resolve
 Arrays = tuple[np.ndarray, ...]
 
 
@@ -27,13 +28,15 @@ def compilers(folder: Path) -> tuple[Compiler, ...]:
     """gcc and clang, or else cc: those that make a library here, with the flags they understand."""
     found = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
     flags = (_FLAGS, tuple(flag for flag in _FLAGS if not flag.startswith("-march")))
-    (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n")
+    (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n",
+                                   encoding="utf-8")
     working = []
     for name in found:
         usable = next((f for f in flags if _runs(
             name, *f, "-shared", "-fPIC", folder / "empty.c", "-o", folder / "empty.so")), None)
         if usable:
-            said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            said = subprocess.run([name, "--version"], capture_output=True, text=True,
+                                  errors="replace").stdout
             working.append(Compiler(name, said.partition("\n")[0], " ".join(usable)))
     return tuple(working)
 
@@ -55,31 +58,34 @@ class Library:
             ctypes.c_long(n), pointers((*read, *written)))
         return tuple(_transposed(x) for x in written)
 
-    def time(self, variant: Variant, layout: str, inputs: Arrays, ns: float) -> tuple[float, float]:
-        """(minimum, median) ns per element of the loop `layout`, measured for about `ns`."""
-        n, real = variant.elements, variant.precision.numpy_type
+    def times(self, variants: Sequence[Variant], layout: str, inputs: Sequence[Arrays],
+              ns: float) -> list[Timing]:
+        """Times per element of the loop `layout` of each variant, beside each other, measured for
+        about `ns` altogether; `inputs` are those of each."""
+        return timed_loops(loaded(self.path), [
+            self._loop(variant, layout, given) for variant, given
+            in zip(variants, inputs, strict=True)], ns)
+
+    def _loop(self, variant: Variant, layout: str, inputs: Arrays) -> Loop:
+        n, real = variant.elements, np.dtype(variant.precision.numpy_type)
         outputs = [np.ones((n, *a.quantity.shape)) for a in variant.operation.outputs]
-        arrange = _as_planes if layout == "planes" else _as_structs
-        arguments = [arrange(x[:n].astype(real)) for x in (*inputs, *outputs)]
-        run = functools.partial(timed_calls, loaded(self.path), f"{layout}_{variant.name}", n,
-                                pointers((*arguments, np.zeros(1, real))))
-        calls = 1
-        while (sample := run(calls, 3).min() * n * calls) < _SAMPLE:
-            calls *= 2
-        samples = run(calls, max(5, int(ns / sample)))
-        return float(samples.min()), float(np.median(samples))
+        arrays = [x[:n].astype(real) for x in (*inputs, *outputs)]
+        arguments = planes(arrays) if layout == "planes" else [
+            aligned(_as_structs(x)) for x in arrays]
+        return Loop(getattr(loaded(self.path), f"{layout}_{variant.name}"), n,
+                    pointers((*arguments, np.zeros(1, real))))
 
 
 def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
               folder: Path) -> Iterator[Library]:
     """The library of each compiler, once its parts, compiled side by side, are done."""
     sources = [folder / "driver.c", folder / "drift.c"]
-    for source in sources:
-        source.write_text(render(f"report/{source.name}"))
+    for source, text in zip(sources, (driver(), render("report/drift.c")), strict=True):
+        source.write_text(text, encoding="utf-8")
     for tier, precision in dict.fromkeys((v.tier, v.precision) for v in variants):
         sources.append(folder / f"{tier}_{precision.name}.c")
         sources[-1].write_text(kernels_text(
-            [v for v in variants if (v.tier, v.precision) == (tier, precision)]))
+            [v for v in variants if (v.tier, v.precision) == (tier, precision)]), encoding="utf-8")
     pool = ThreadPoolExecutor(os.cpu_count())
     jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
     try:
@@ -100,7 +106,7 @@ def _object(compiler: Compiler, source: Path) -> Path:
 
 
 def _run(*words: str | Path) -> None:
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True)
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, errors="replace")
     if done.returncode:
         raise ReportError(f"{words[0]} cannot compile the kernels:\n{done.stderr.strip()}")
 
@@ -115,22 +121,6 @@ def loaded(path: Path) -> ctypes.CDLL:
     return ctypes.CDLL(str(path))
 
 
-def timed_calls(library: ctypes.CDLL, name: str, n: int, arguments: ctypes.Array, calls: int,
-                repeats: int) -> np.ndarray:
-    """ns per element of each repeat, by the driver that the library holds."""
-    samples = np.empty(repeats)
-    library.time_kernel(getattr(library, name), ctypes.c_long(n), arguments, ctypes.c_long(calls),
-                        ctypes.c_long(repeats), samples.ctypes.data_as(ctypes.c_void_p))
-    return samples
-
-
-def pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
-    """void *[]; the caller keeps the arrays."""
-    array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
-    array.kept = tuple(arrays)
-    return array
-
-
 def _transposed(x: np.ndarray) -> np.ndarray:
     return x.swapaxes(-1, -2) if x.ndim == 3 else x
 
@@ -138,8 +128,3 @@ def _transposed(x: np.ndarray) -> np.ndarray:
 def _as_structs(x: np.ndarray) -> np.ndarray:
     """Matrices column by column, as C stores them."""
     return np.ascontiguousarray(_transposed(x))
-
-
-def _as_planes(x: np.ndarray) -> np.ndarray:
-    """A plane for each component, row by row, PADDING apart."""
-    return np.ascontiguousarray(np.pad(x.reshape(len(x), -1).T, ((0, 0), (0, PADDING))))

@@ -33,6 +33,11 @@ def layout_name(time: Time) -> str:
     return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
 
 
+def with_interval(median: float | None, low: float | None, high: float | None) -> str:
+    """A median and its interval: 1.39 (1.38–1.41)."""
+    return f"{formatted(median)} ({formatted(low)}–{formatted(high)})" if median else "–"
+
+
 def first_layout(report: Report) -> str:
     """The times shown first: C over a structure of arrays, the first compiler's; else the first."""
     times = [time for entry in report.entries for time in entry.times]
@@ -94,10 +99,11 @@ def _price(report: Report, operation: str) -> Iterator[str]:
         return
     plain = by_tier.pop("plain")
     best = min(by_tier.values(), key=lambda entry: entry.hard.worst)
-    times = time_of(plain, layout).ns, time_of(best, layout).ns
+    times = [with_interval(t.ns, t.low, t.high)
+             for t in (time_of(plain, layout), time_of(best, layout))]
     yield (f"Where terms cancel, plain {operation} in double precision is off by up to "
-           f"{_error(plain)} and takes {formatted(times[0])} ns; its {best.tier} tier is off by "
-           f"up to {_error(best)} and takes {formatted(times[1])} ns ({layout}).")
+           f"{_error(plain)} and takes {times[0]} ns; its {best.tier} tier is off by "
+           f"up to {_error(best)} and takes {times[1]} ns: {layout}.")
 
 
 def _error(entry: Entry) -> str:

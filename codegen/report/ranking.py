@@ -1,7 +1,6 @@
 """Figures beside each other: ratios to plain, dominated variants, changes since a report."""
 
 import math
-import operator
 from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.report.schema import Change, Comparison, Report, Time
@@ -15,25 +14,27 @@ def key(timed: Timed) -> Key:
     return timed.variant.operation.name, timed.variant.precision.name, timed.variant.tier
 
 
-def times(timed: Iterable[Timed], worst: Mapping[Key, float]) -> dict[Key, tuple[Time, ...]]:
-    """The times of each variant, with their ratio to plain's, and whether another tier is no slower
-    and has no larger a worst error on hard inputs, and is better in one of both; one that returns
-    less, as plain does beside certified, does not count."""
+def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key, tuple[Time, ...]]:
+    """The times of each variant, with their ratio to plain's, and whether it is dominated: another
+    tier's interval lies below its own, and that tier's worst error on hard inputs is no larger; one
+    that returns less, as plain does beside certified, does not count."""
     found: dict[Key, list[Time]] = {}
-    contests: dict[tuple[str | None, ...], list[Timed]] = {}
-    for t in timed:
-        contest = (*key(t)[:2], t.language, t.compiler, t.layout)
-        contests.setdefault(contest, []).append(t)
-    for rivals in contests.values():
-        cost = {key(t): (t.minimum, worst.get(key(t), 0.0), -len(t.variant.operation.outputs))
-                for t in rivals}
-        plain = next((t.minimum for t in rivals if t.variant.tier == "plain"), None)
+    for rivals in timed:
+        its = {key(t): t.timing.time for t in rivals}
+        plain = next((t.timing for t in rivals if t.variant.tier == "plain"), None)
+
+        def no_worse(other: Timed, than: Timed) -> bool:
+            return (worst.get(key(other), 0.0) <= worst.get(key(than), 0.0)
+                    and len(other.variant.operation.outputs) >= len(than.variant.operation.outputs))
+
         for t in rivals:
-            mine = cost[key(t)]
-            dominated = any(other[:2] != mine[:2] and all(map(operator.le, other, mine))
-                            for other in cost.values())
-            found.setdefault(key(t), []).append(
-                t.time(t.minimum / plain if plain else None, dominated))
+            time = its[key(t)]
+            dominated = any(its[key(x)].below(time) and no_worse(x, t) for x in rivals)
+            ratio = t.timing.ratio(plain) if plain else None
+            found.setdefault(key(t), []).append(Time(
+                t.language, t.compiler, t.layout, time.median, time.low, time.high,
+                t.timing.minimum, len(t.timing.rounds), ratio and ratio.median, ratio and ratio.low,
+                ratio and ratio.high, dominated))
     return {variant: tuple(its) for variant, its in found.items()}
 
 

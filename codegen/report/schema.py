@@ -9,7 +9,7 @@ import types
 import typing
 from dataclasses import asdict, dataclass, fields, is_dataclass
 
-SCHEMA = 1
+SCHEMA = 2
 
 
 @dataclass(frozen=True)
@@ -64,16 +64,22 @@ class ProvenBound:
 
 @dataclass(frozen=True)
 class Time:
-    """The shortest time of many in ns per element; spread is median / minimum - 1, ratio is to
-    plain in the same language, compiler and layout; dominated: another tier is no slower and no
-    less accurate, and better in one of both."""
+    """The median of so many rounds in ns per element, its interval from low to high, the minimum;
+    ratio is the median of that to plain in the same round, in the same language, compiler and
+    layout, with its own interval; dominated: another tier's interval lies below, and it is no less
+    accurate."""
 
     language: str
     compiler: str | None
     layout: str
     ns: float
-    spread: float
+    low: float
+    high: float
+    minimum: float
+    rounds: int
     ratio: float | None
+    ratio_low: float | None
+    ratio_high: float | None
     dominated: bool
 
 
@@ -100,7 +106,7 @@ class Entry:
 @dataclass(frozen=True)
 class Drift:
     """A displacement after so many compositions: its rotation's orthonormality defect and its
-    error, in u, and what a step costs."""
+    error, in u, and what a step costs: the median of some runs, and its interval."""
 
     precision: str
     orthonormalised: bool
@@ -108,6 +114,8 @@ class Drift:
     defect_u: float
     error_u: float
     ns_per_step: float
+    ns_low: float
+    ns_high: float
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
+from coscrew_codegen.native.buffers import aligned
+from coscrew_codegen.native.intervals import FEWEST
+from coscrew_codegen.native.timing import Timing, timed_calls
 from coscrew_codegen.report import inputs
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.native import Library
-from coscrew_codegen.report.schema import Time
 
 LAYOUTS = {"rows": "array of structs", "planes": "structure of arrays", "chain": "latency"}
 COUNTS = (1, 1000, 1_000_000)
@@ -20,32 +22,37 @@ _TEMPORARIES = 8  # times the size of its arguments: what a call in pure NumPy m
 
 @dataclass(frozen=True)
 class Timed:
-    """The shortest and the median time of a variant, in ns per element."""
+    """What a variant took, in ns per element, in the rounds of its contest: the tiers of one
+    operation and precision, in the same language, compiler and layout."""
 
     variant: Variant
     language: str
     compiler: str | None
     layout: str
-    minimum: float
-    median: float
+    timing: Timing
 
-    def time(self, ratio: float | None, dominated: bool) -> Time:
-        """As the report states it."""
-        return Time(self.language, self.compiler, self.layout, self.minimum,
-                    self.median / self.minimum - 1, ratio, dominated)
+
+def contests(variants: Sequence[Variant]) -> list[list[Variant]]:
+    """The variants that are timed beside each other: all tiers of an operation in a precision."""
+    found: dict[tuple[str, str], list[Variant]] = {}
+    for v in variants:
+        found.setdefault((v.operation.name, v.precision.name), []).append(v)
+    return list(found.values())
 
 
 def compiled(library: Library, variants: Sequence[Variant], seed: int,
-             seconds: float) -> Iterator[Timed]:
-    """Each variant in each layout, all in about `seconds`."""
-    end = timeit.default_timer() + seconds
-    for number, variant in enumerate(variants):
+             seconds: float) -> Iterator[list[Timed]]:
+    """Each contest in each layout, all in about `seconds`."""
+    end, done = timeit.default_timer() + seconds, 0
+    for rivals in contests(variants):
+        given = [_arguments(v, v.elements, seed) for v in rivals]
         left = end - timeit.default_timer()
-        share = 1e9 * left / (len(variants) - number) / len(LAYOUTS)
-        arguments = _arguments(variant, variant.elements, seed)
+        ns = 1e9 * left * len(rivals) / (len(variants) - done) / len(LAYOUTS)
         for loop, layout in LAYOUTS.items():
-            minimum, median = library.time(variant, loop, arguments, share)
-            yield Timed(variant, "C", library.compiler.name, layout, minimum, median)
+            timings = library.times(rivals, loop, given, ns)
+            yield [Timed(v, "C", library.compiler.name, layout, timing)
+                   for v, timing in zip(rivals, timings, strict=True)]
+        done += len(rivals)
 
 
 def python_function(variant: Variant) -> Callable[..., object] | None:
@@ -58,33 +65,35 @@ def python_function(variant: Variant) -> Callable[..., object] | None:
 
 
 def in_python(variants: Sequence[Variant], count: int, seed: int,
-              seconds: float) -> Iterator[Timed | None]:
-    """Each variant on `count` elements, all in about `seconds`; None for one that takes too much
-    memory, or an eighth of the time.  When the time is up, the others are left out."""
-    end = timeit.default_timer() + seconds
-    for number, variant in enumerate(variants):
+              seconds: float) -> Iterator[list[Timed]]:
+    """Each contest on `count` elements, all in about `seconds`, without the variants that take too
+    much memory, or an eighth of the time.  When the time is up, the others are left out."""
+    end, done = timeit.default_timer() + seconds, 0
+    for rivals in contests(variants):
         left = end - timeit.default_timer()
         if left <= 0:
             return
-        share = left / (len(variants) - number)
-        yield _timed(variant, count, seed, seconds / 8 if count == COUNTS[-1] else share)
+        share = left * len(rivals) / (len(variants) - done)
+        done += len(rivals)
+        most = seconds / 8 if count == COUNTS[-1] else share / len(rivals)
+        calls = {v: call for v in rivals if (call := _call(v, count, seed, most))}
+        with np.errstate(all="ignore"):
+            timings = timed_calls(list(calls.values()), 1e9 * share) if calls else []
+        yield [Timed(v, "Python", None, f"N = {count}", Timing(timing.rounds / count))
+               for v, timing in zip(calls, timings, strict=True)]
 
 
-def _timed(variant: Variant, count: int, seed: int, seconds: float) -> Timed | None:
-    """The variant's function called for about `seconds`, at least three times."""
+def _call(variant: Variant, count: int, seed: int, seconds: float) -> Callable[[], object] | None:
+    """The variant's function on arrays that start at cache lines; its results lie where NumPy puts
+    them.  None if FEWEST calls would take more than `seconds`, and more than a millisecond."""
     function = python_function(variant)
     some = _arguments(variant, min(count, 1000), seed)
     with np.errstate(all="ignore"):
         each = min(timeit.repeat(lambda: function(*some), number=1, repeat=2)) / len(some[0])
-        if not _fits(variant, count, function) or 3 * each * count > max(seconds, 1e-3):
-            return None
-        arguments = [np.resize(x, (count, *x.shape[1:])) if count > 1 else x[0] for x in some]
-        timer = timeit.Timer(lambda: function(*arguments))
-        once = min(timer.repeat(number=1, repeat=3 if count < COUNTS[-1] else 1))
-        number = max(1, min(int(50e-6 / once), 1000))
-        repeats = 3 if count == COUNTS[-1] else int(min(max(seconds / (once * number), 3), 1000))
-        samples = [t / number / count * 1e9 for t in timer.repeat(number=number, repeat=repeats)]
-    return Timed(variant, "Python", None, f"N = {count}", min(samples), float(np.median(samples)))
+    if not _fits(variant, count, function) or FEWEST * each * count > max(seconds, 1e-3):
+        return None
+    arguments = [aligned(np.resize(x, (count, *x.shape[1:]))) if count > 1 else x[0] for x in some]
+    return lambda: function(*arguments)
 
 
 def _arguments(variant: Variant, count: int, seed: int) -> tuple[np.ndarray, ...]:

@@ -106,7 +106,7 @@ def _mimic(table: Table) -> Mimic:
 
 
 def _placement(table: Table) -> Placement:
-    """origin = { xyz, and one of rpy, quaternion (scalar first), axis with angle }."""
+    """origin = { xyz, and one of rpy, quaternion (x, y, z, w), axis with angle }."""
     if "origin" not in table:
         return HERE
     origin = table.table("origin")
@@ -134,7 +134,7 @@ def refuse_not_unit(table: Table, key: str, quaternion: tuple[Fraction, ...]) ->
     square = sum(x * x for x in quaternion)
     if not (1 - _TOLERANCE)**2 <= square <= (1 + _TOLERANCE)**2:
         table.refuse(key, f"a quaternion of norm {float(square)**0.5:.9g}; wanted 1 within 1e-6, "
-                          "scalar first")
+                          "in the order x, y, z, w")
 
 
 def _direction(table: Table, key: str) -> tuple[Fraction, Fraction, Fraction]:

@@ -1,6 +1,6 @@
 """Integration by SciPy, which chooses its steps by tolerances.
 
-Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (0; ω) / 2,
+Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (ω; 0) / 2,
 which keeps |r| but for the tolerance: r is normalized before the dynamics see it, and where it is
 sampled.
 """
@@ -69,7 +69,7 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
         if c.kind in ("spherical", "free"):
             turn = slice(c.q.stop - 4, c.q.stop)
             omega = np.zeros((*v.shape[:-1], 4))
-            omega[..., 1:] = v[..., c.v.stop - 3:c.v.stop] / 2
+            omega[..., :3] = v[..., c.v.stop - 3:c.v.stop] / 2
             result[..., turn] = coscrew.double.product_qq(r[..., turn], omega)
         if c.kind == "free":
             forward = v[..., c.v.start:c.v.start + 3]

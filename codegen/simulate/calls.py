@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
 from math import prod
 from types import ModuleType
+from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.render import render
@@ -15,15 +17,52 @@ from coscrew_codegen.targets import scene_calls
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.targets.scene_c import c_name
 
-_REAL = {"double": ctypes.c_double, "single": ctypes.c_float}
+_PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
+"""Types of t and h that C takes as they are."""
+
+Real = TypeVar("Real", bound=np.floating, covariant=True)
 
 
-class Functions:
+class Function(Protocol[Real]):
+    """A function of a scene with one result: its docstring tells the arguments."""
+
+    def __call__(self, *arguments: ArrayLike, out: np.ndarray | tuple[np.ndarray | None] | None = ...,
+                 **named: ArrayLike) -> NDArray[Real]:
+        """The result, in `out` if that is given."""
+
+
+class Step(Protocol[Real]):
+    """A step of an integrator."""
+
+    def __call__(self, *arguments: ArrayLike,
+                 out: tuple[np.ndarray | None, np.ndarray | None] | None = ...,
+                 **named: ArrayLike) -> tuple[NDArray[Real], NDArray[Real]]:
+        """q and v after the step, in `out` if that is given."""
+
+
+class Functions(Generic[Real]):
     """The functions of one precision as attributes."""
 
-    def __init__(self, scene: str, precision: Precision, functions: Mapping[str, Callable]):
+    if TYPE_CHECKING:  # what every scene has; others, jacobian_hand, are a Function too
+        inverse_dynamics: Function[Real]
+        forward_dynamics: Function[Real]
+        mass_matrix: Function[Real]
+        bias_torques: Function[Real]
+        gravity_torques: Function[Real]
+        energy: Function[Real]
+        power: Function[Real]
+        momentum: Function[Real]
+        body_poses: Function[Real]
+        body_twists: Function[Real]
+        integrated: Function[Real]
+        step_semi_implicit_euler: Step[Real]
+        step_linear_implicit_euler: Step[Real]
+        step_rk4: Step[Real]
+
+    def __init__(self, scene: str, precision: Precision):
         self._about = f"{scene} in {precision.name} precision"
-        self.__dict__.update(functions)
+        self._precision = precision.name
+        self._kernels: object = None  # what they are functions of, for pickle
 
     def __dir__(self) -> list[str]:
         return [name for name in self.__dict__ if not name.startswith("_")]
@@ -31,13 +70,47 @@ class Functions:
     def __iter__(self) -> Iterator[str]:
         return iter(dir(self))
 
-    def __getattr__(self, name: str) -> Callable:
+    def __getattr__(self, name: str) -> Function[Real]:
         near = get_close_matches(name, dir(self), n=1, cutoff=0.0)
         hint = f": did you mean {near[0]!r}?" if near else ""
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
         return f"<{self._about}: {', '.join(dir(self))}>"
+
+    def __reduce__(self) -> tuple[Callable, tuple[object, str]]:
+        return getattr, (self._kernels, self._precision)
+
+    def __copy__(self) -> "Functions[Real]":
+        return self
+
+    def __deepcopy__(self, memo: dict) -> "Functions[Real]":
+        return self
+
+
+class _Callable:
+    """A function of a scene: an object, so that pickle and cloudpickle ask it what it is."""
+
+    def __init__(self, of: Functions, function: Callable):
+        self.__dict__.update(vars(function))
+        self.__name__ = self.__qualname__ = function.__name__
+        self._of = of
+
+    def __reduce__(self) -> tuple[Callable, tuple[Functions, str]]:
+        return getattr, (self._of, self.__name__)
+
+    def __repr__(self) -> str:
+        return f"<{self.__name__} of {self._of._about}>"
+
+
+def gathered(scene: SceneFunctions, precision: Precision,
+             functions: Mapping[str, Callable]) -> Functions:
+    """The functions, each taking `self` first, as attributes of one object."""
+    found = Functions(scene.name, precision)
+    for name, function in functions.items():
+        members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
+        found.__dict__[name] = type(name, (_Callable,), members)(found, function)
+    return found
 
 
 @functools.cache
@@ -50,20 +123,34 @@ def _checks() -> ModuleType:
 
 def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_calls.Callable,
              precision: Precision) -> Callable:
-    """A function of the library as a Python function of the same name and arguments."""
+    """A function of the library of the same name and arguments, behind `self`."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
+    getattr(library, f"know_{precision.name}")(ctypes.py_object(np.ndarray))
     call = getattr(library, f"call_{name}")
     shapes = [shape for _, shape in (*described.read, *described.outputs)]
-    call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else
-                     _REAL[precision.name] for n, shape in enumerate(shapes)]
+    call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else ctypes.c_double
+                     for n, shape in enumerate(shapes)]
     call.restype = ctypes.c_int
-    names = {"call": call, "many": _many(library, name, described, kind), "empty": np.empty,
-             "array": np.array, "kind": kind, "Refused": ctypes.ArgumentError}
+    names = {"call": call, "many": _many(library, name, described, kind, call), "empty": np.empty,
+             "plain": _PLAIN, "kind": kind, "Refused": ctypes.ArgumentError}
     exec(_text(described), names)
-    function = names[described.name]
-    function.__doc__ = "\n\n".join(described.words)
+    function = _described(names[described.name], described)
     if described.moved:
         function.repeated = _repeated(library, name, kind)
+    return function
+
+
+def in_numpy(twin: Callable, described: scene_calls.Callable) -> Callable:
+    """A function of a generated package with the same name and arguments, behind `self`."""
+    given = ", ".join(x for x, _ in described.inputs)
+    names = {"twin": twin}
+    exec(f"def {described.name}(self, {given}, *, out=None):\n    return twin({given}, out=out)\n",
+         names)
+    return _described(names[described.name], described)
+
+
+def _described(function: Callable, described: scene_calls.Callable) -> Callable:
+    function.__doc__ = "\n\n".join(described.words)
     return function
 
 
@@ -86,53 +173,73 @@ def _text(described: scene_calls.Callable) -> str:
     """The text of a function: with arguments spelled out, it takes half a microsecond less than
     with *values, and Python itself refuses missing and unknown ones."""
     given = [x for x, _ in described.inputs]
-    made = [f"array({x})" if described.moved else f"empty({shape}, kind)"
+    results = [f"result_{n}" for n in range(len(described.outputs))]
+    made = [f"{x}.copy()" if described.moved else f"empty({shape}, kind)"
             for x, shape in described.outputs]  # copies, which a step moves; or results' room
-    results = [f"result_{n}" for n in range(len(made))]
-    passed = ", ".join((*(x for x, _ in described.read), *results))
-    found = ", ".join(x if shape else f"{x}[()]"
+    if len(made) == 1:
+        made = [f"{made[0]} if out is None else out"]
+    wanted = [f"type({x}) in plain" for x, shape in described.read if not shape]
+    wanted += ["out is None"] if len(made) > 1 else []
+    wanted.append(f"call({', '.join((*(x for x, _ in described.read), *results))})")
+    found = ", ".join(x if shape else f"{x}[()] if out is None else out"
                       for x, (_, shape) in zip(results, described.outputs, strict=True))
     return "\n".join((
-        f"def {described.name}({', '.join(given)}):",
+        f"def {described.name}(self, {', '.join(given)}, *, out=None):",
         "    try:",
         *(f"        {x} = {value}" for x, value in zip(results, made, strict=True)),
-        f"        if call({passed}):",
+        f"        if {' and '.join(wanted)}:",
         f"            return {found}",
-        "    except (Refused, ValueError):",
-        "        pass  # t or h is an array, or what cannot be one came: the checks tell",
-        f"    return many({{{', '.join(f'{x!r}: {x}' for x in given)}}})", ""))
+        "    except (Refused, AttributeError, TypeError):",
+        "        pass  # of what has no copy(), or is no number: the checks tell",
+        f"    return many({{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
 
 
-def _many(library: ctypes.PyDLL, name: str, described: scene_calls.Callable,
-          kind: np.dtype) -> Callable:
+def _many(library: ctypes.PyDLL, name: str, described: scene_calls.Callable, kind: np.dtype,
+          call: Callable) -> Callable:
     """The function for any arguments: checked, cast, and broadcast."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
     pointer, stride = ctypes.c_void_p, ctypes.c_ssize_t
     loop.argtypes = [stride, *[pointer, stride] * len(described.read),
                      *[pointer] * len(described.outputs)]
+    checks = _checks()
 
-    def function(arguments: dict) -> object:
-        lead, arrays = _checks().arrays(kind, **{
+    def function(arguments: dict, out: object) -> object:
+        lead, arrays = checks.arrays(kind, **{
             x: (arguments[x], shape) for x, shape in described.inputs})
         given = dict(zip(arguments, arrays, strict=True))
-        results = [np.empty((*lead, *shape), kind) for _, shape in described.outputs]
+        shapes = [(*lead, *shape) for _, shape in described.outputs]
+        results = [x if _is_place(x, kind, arrays) else np.empty(shape, kind)
+                   for x, shape in zip(checks.places(out, shapes, kind), shapes, strict=True)]
         if described.moved:
             for (x, _), result in zip(described.outputs, results, strict=True):
                 result[...] = given[x]
-        words: list[int] = [prod(lead)]
-        kept = []
-        for x, shape in described.read:
-            array, step = given[x], 0
-            if array.ndim > len(shape):
-                array, step = np.broadcast_to(array, (*lead, *shape)), prod(shape)
-            kept.append(np.require(array, None, ("C", "A")))
-            words += [kept[-1].ctypes.data, step]
-        loop(*words, *(x.ctypes.data for x in results))
-        found = tuple(x[()] for x in results)
-        return found[0] if len(found) == 1 else found
+        if lead or not call(*(np.array(given[x]) if shape else float(given[x])
+                              for x, shape in described.read), *results):
+            _over(loop, lead, given, described, results)
+        return checks.delivered(out, *(x[()] for x in results))
 
     return function
+
+
+def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) -> bool:
+    """Whether C may write there while it reads the arrays."""
+    return (x is not None and x.dtype == kind and x.flags.carray
+            and not any(np.may_share_memory(x, array) for array in arrays))
+
+
+def _over(loop: Callable, lead: tuple[int, ...], given: dict[str, np.ndarray],
+          described: scene_calls.Callable, results: list[np.ndarray]) -> None:
+    """Call the loop over all states."""
+    words: list[int] = [prod(lead)]
+    kept = []
+    for x, shape in described.read:
+        array, step = given[x], 0
+        if array.ndim > len(shape):
+            array, step = np.broadcast_to(array, (*lead, *shape)), prod(shape)
+        kept.append(np.require(array, None, ("C", "A")))
+        words += [kept[-1].ctypes.data, step]
+    loop(*words, *(x.ctypes.data for x in results))
 
 
 @functools.cache

@@ -2,8 +2,7 @@
 
 import argparse
 
-from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.command import NEEDED, add_scene
+from coscrew_codegen.simulate.command import add_scene
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -25,11 +24,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Check; returns the exit status: 0, or 1 if an expectation is not met, a run stops early,
     energy or momentum is not kept, or with --strict not kept well."""
-    try:
-        from coscrew_codegen.simulate.load import load_scene
-        from coscrew_codegen.simulate import check, outcome
-    except ModuleNotFoundError as error:
-        raise SimulateError(f"check {NEEDED.format(error.name)}") from None
+    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.simulate import check, outcome
+
     findings = check.check(load_scene(options.scene), outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))

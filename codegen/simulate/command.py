@@ -10,13 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.integrators import in_words
-from coscrew_codegen.simulate import SimulateError
 
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.scene import Scene
     from coscrew_codegen.simulate.outcome import Outcome
 
-NEEDED = "needs {}; run `pip install \"coscrew[simulate]\"`"
 _FIRST = 5  # unused numbers that are told
 
 
@@ -77,11 +75,9 @@ def _setting(text: str) -> tuple[str, float]:
 
 def run(options: argparse.Namespace) -> int:
     """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
-    try:
-        from coscrew_codegen.simulate.load import load_scene
-        from coscrew_codegen.simulate import outcome, plot, view, write
-    except ModuleNotFoundError as error:
-        raise SimulateError(f"simulate {NEEDED.format(error.name)}") from None
+    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.simulate import outcome, plot, view, write
+
     for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, plot.ENDINGS),
                           (options.view, (".html",))):
         if path:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import importlib.util
+import pickle
 import sys
 import warnings
-from collections.abc import Iterator
+import zlib
+from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coscrew_codegen import emit
 from coscrew_codegen.dynamics import derive
@@ -21,13 +25,13 @@ from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS
+from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 
 @dataclass(frozen=True, repr=False)
 class Kernels:
-    """A scene's functions, callable, in `double` and `single` precision; and what of q, v and p
-    is whose:
+    """A scene's functions, callable, in `double` and `single` precision; and which entries of q, v
+    and p belong to what:
 
         NQ, NV       how many numbers q and v hold
         joints       names of the joints that move, in the order of q and v
@@ -38,8 +42,8 @@ class Kernels:
 
     scene: Scene | None
     functions: SceneFunctions
-    double: calls.Functions
-    single: calls.Functions
+    double: calls.Functions[np.float64]
+    single: calls.Functions[np.float32]
     compiler: str  # its version and flags; "" where the generated Python runs
 
     @property
@@ -68,7 +72,7 @@ class Kernels:
         return dict(self.functions.parameters)
 
     @property
-    def neutral_q(self) -> np.ndarray:
+    def neutral_q(self) -> NDArray[np.float64]:
         """q where every joint is at rest in its placement, in double.  (NQ)."""
         return np.array(self.functions.neutral, float)
 
@@ -76,6 +80,21 @@ class Kernels:
     def compiled(self) -> bool:
         """Whether compiled C runs, and not generated Python."""
         return bool(self.compiler)
+
+    @functools.cached_property
+    def _pickled(self) -> bytes:
+        return zlib.compress(pickle.dumps((self.scene, self.functions)))
+
+    def __reduce__(self) -> tuple[Callable, tuple[bytes]]:
+        """Of the scene and its functions; where they are unpickled, they are compiled, or found
+        among kept libraries."""
+        return restored, (self._pickled,)
+
+    def __copy__(self) -> Kernels:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> Kernels:
+        return self
 
     def __repr__(self) -> str:
         return f"<kernels of {self.functions.name}: {self.compiler or 'pure NumPy'}>"
@@ -106,13 +125,28 @@ def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels
     except native.CompilationError as error:
         warnings.warn(f"{functions.name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=3)
         modules = _modules(functions)
-        found = [calls.Functions(functions.name, p, dict(_public(functions, modules[p.name])))
-                 for p in PRECISIONS]
-        return Kernels(scene, functions, *found, "")
+        return _kernels(scene, functions, "", lambda x, p: calls.in_numpy(
+            getattr(modules[p.name], x.name), x))
+    return _kernels(scene, functions, str(compiler), lambda x, p: calls.compiled(
+        functions, library, x, p))
+
+
+def _kernels(scene: Scene | None, functions: SceneFunctions, compiler: str,
+             made: Callable[[scene_calls.Callable, Precision], Callable]) -> Kernels:
     described = scene_calls.callables(functions)
-    found = [calls.Functions(functions.name, p, {
-        x.name: calls.compiled(functions, library, x, p) for x in described}) for p in PRECISIONS]
-    return Kernels(scene, functions, *found, str(compiler))
+    found = [calls.gathered(functions, p, {x.name: made(x, p) for x in described})
+             for p in PRECISIONS]
+    kernels = Kernels(scene, functions, *found, compiler)
+    for x in found:
+        x._kernels = kernels
+    return kernels
+
+
+@functools.lru_cache(maxsize=32)
+def restored(pickled: bytes) -> Kernels:
+    """The kernels of a scene and its functions, pickled: made once in a process."""
+    scene, functions = pickle.loads(zlib.decompress(pickled))
+    return kernels_of(functions, scene)
 
 
 def _library(functions: SceneFunctions, compiler: native.Compiler):
@@ -138,8 +172,3 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         sys.modules[name] = module
         spec.loader.exec_module(module)
     return {p.name: importlib.import_module(f"{name}.{p.name}") for p in PRECISIONS}
-
-
-def _public(functions: SceneFunctions, module: ModuleType) -> Iterator[tuple[str, object]]:
-    for x in scene_calls.callables(functions):
-        yield x.name, getattr(module, x.name)

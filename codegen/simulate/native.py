@@ -58,7 +58,8 @@ def _compiler(command: tuple[str, ...], path: str) -> Compiler | None:
     if which(command[0], path=path) is None:
         return None
     try:
-        done = subprocess.run([*command, "--version"], capture_output=True, text=True, timeout=60)
+        done = subprocess.run([*command, "--version"], capture_output=True, text=True,
+                              errors="replace", timeout=60)
     except (OSError, subprocess.SubprocessError):
         return None
     if done.returncode or not done.stdout.strip():
@@ -161,7 +162,7 @@ def _run(using: Compiler, words: Sequence[str], work: Path) -> None:
     try:
         for given in (words, [word for word in words if word != "-march=native"]):
             done = subprocess.run([*using.command, *given], cwd=work, capture_output=True,
-                                  text=True)
+                                  text=True, errors="replace")
             if not done.returncode:
                 return
     except OSError as error:

@@ -16,7 +16,7 @@ from coscrew_codegen.targets.precision import DOUBLE, Precision
 STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6", "quaternion", "inertia")
 
 _MEMBERS = {
-    "vec3": tuple("xyz"), "quaternion": tuple("wxyz"),
+    "vec3": tuple("xyz"), "quaternion": tuple("xyzw"),
     "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
 

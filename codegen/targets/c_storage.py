@@ -27,7 +27,7 @@ _FIELDS = {
     "coscrew": (("{real} at[6];",), ("ksl_vec3{f}_t lin, ang;",),
                 ("{real} m0, m1, m2, m3, m4, m5;",)),
     "mat6x6": (("{real} as_array[36];",), ("{real} at[6][6];",)),
-    "quaternion": (("{real} at[4];",), ("{real} w, x, y, z;",)),
+    "quaternion": (("{real} at[4];",), ("{real} x, y, z, w;",), ("ksl_vec3{f}_t r;",)),
     "inertia": (("{real} at[10];",),
                 ("{real} m;", "ksl_vec3{f}_t h;", "{real} xx, yy, zz, xy, xz, yz;")),
 }
@@ -39,9 +39,12 @@ _MEANING = {
     "screw": "screw (lin; ang) = (v; ω)",
     "coscrew": "coscrew (lin; ang) = (f; τ)",
     "mat6x6": "6×6 operator, stored column by column: at[column][row]",
-    "quaternion": "quaternion (w; x, y, z), the scalar first; for rotations, of norm 1",
+    "quaternion": "quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1",
     "inertia": "spatial inertia: mass m, first moment h = m c, second moments about the origin",
 }
+
+_IDENTITIES = {"mat3x3": ("m00", "m11", "m22"), "SE3": ("m00", "m11", "m22"), "quaternion": ("w",)}
+"""The types that are allocated as identities, and their members that are 1 then."""
 
 TYPES = (VEC3, MAT3X3, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA)
 """The struct types, each after those it is made of."""
@@ -94,12 +97,18 @@ def allocation(family: str, precision: Precision) -> CFunction | None:
     if family not in _FIELDS:
         return None
     kind = f"ksl_{family}{precision.suffix}"
+    zeroed = f"n > 0 ? ({kind}_t *)calloc((size_t)n, sizeof({kind}_t)) : NULL;"
+    body, holding = f"  return {zeroed}", "zeros"
+    if family in _IDENTITIES:
+        ones = " = ".join(f"all[i].{name}" for name in _IDENTITIES[family])
+        body, holding = "\n".join((
+            f"  {kind}_t *const all =\n      {zeroed}", "  for (int i = 0; all && i < n; i++) {",
+            f"    {ones} = 1.0{precision.suffix};", "  }", "  return all;")), "identities"
     return CFunction(
         f"{kind}_alloc",
-        comment_of([f"n zeroed {kind}_t on the heap, to be freed by the caller; NULL for n <= 0 or "
-                    "when there is no memory."]),
-        f"{kind}_t *{kind}_alloc(int n)",
-        f"  return n > 0 ? ({kind}_t *)calloc((size_t)n, sizeof({kind}_t)) : NULL;")
+        comment_of([f"n {kind}_t on the heap, {holding}, to be freed by the caller; NULL for "
+                    "n <= 0 or when there is no memory."]),
+        f"{kind}_t *{kind}_alloc(int n)", body)
 
 
 def _constructor(quantity: Quantity, precision: Precision, name: str,

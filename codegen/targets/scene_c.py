@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from coscrew_codegen import version
 from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
@@ -34,7 +35,9 @@ class CText:
 def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     """The texts of arm.h and arm.c."""
     sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
-    macros = [("NQ", str(scene.nq)), ("NV", str(scene.nv))]
+    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 10000 major + 100 minor + patch */"),
+              ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
+              ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         macros.append(("NP", str(len(scene.parameters))))
     macros += [entry for p in PRECISIONS for entry in _defaults(scene, p)]

@@ -1,6 +1,6 @@
 """The C between Python and a scene's functions: calls for one state, and loops over many.
 
-`call_…` takes Python objects and returns 0 unless they are arrays it can take as they are; `many_…`
+`call_…` takes Python objects and returns 0 unless they are arrays it can take or convert; `many_…`
 takes a pointer and a stride in numbers for each input (0: the same for all states), and for each
 output a pointer; `run_…` takes n steps of h in a row, from the time t on.  All work in Python
 without its headers.
@@ -51,6 +51,7 @@ def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
 def source(scene: SceneFunctions) -> str:
     """The text of the file that is compiled for Python."""
     sections = [{"precision": p, "format": _FORMAT[p.name],
+                 "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
                 for p in PRECISIONS]
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
@@ -59,9 +60,8 @@ def source(scene: SceneFunctions) -> str:
 def _function(scene: SceneFunctions, function: Callable, precision: Precision) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     scalars = [x for x, shape in function.read if not shape]
-    arrays = [_array(x, shape, "const ", "0", "1") for x, shape in function.read if shape]
-    arrays += [_array(x, shape, "", "WRITABLE", "1" if function.moved else "ALL")
-               for x, shape in function.outputs]
+    read = [_array(x, shape) for x, shape in function.read if shape]
+    written = [_array(x, shape) for x, shape in function.outputs]
     many = [f"const {real} *{x}, ptrdiff_t {x}_step" for x, _ in function.read]
     many += [f"{real} *{x}" for x, _ in function.outputs]
     strided = [f"{x}[k * {x}_step]" if x in scalars else f"{x} + k * {x}_step"
@@ -69,8 +69,9 @@ def _function(scene: SceneFunctions, function: Callable, precision: Precision) -
     strided += [f"{x} + k * {scene_text.count(shape)}" for x, shape in function.outputs]
     names = [x for x, _ in (*function.read, *function.outputs)]
     return {
-        "name": name, "kernel": name, "arrays": arrays,
-        "call_parameters": ", ".join(f"{real} {x}" if x in scalars else f"void *of_{x}"
+        "name": name, "kernel": name, "scalars": scalars, "read": read, "written": written,
+        "views": len(read) + len(written),
+        "call_parameters": ", ".join(f"double of_{x}" if x in scalars else f"void *of_{x}"
                                      for x in names),
         "call_arguments": ", ".join(names), "many_arguments": ", ".join(strided),
         "many_parameters": ", ".join(("ptrdiff_t n", *many)),
@@ -80,6 +81,7 @@ def _function(scene: SceneFunctions, function: Callable, precision: Precision) -
     }
 
 
-def _array(name: str, shape: tuple[int, ...], const: str, flags: str, axes: str) -> dict[str, str]:
-    return {"name": name, "const": const, "flags": flags, "axes": axes,
-            "size": str(scene_text.count(shape))}
+def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
+    size = scene_text.count(shape)
+    return {"name": name, "size": str(size), "room": str(max(size, 1)), "axes": str(len(shape)),
+            "shape": ", ".join(map(str, shape)) or "1"}

@@ -19,6 +19,7 @@ from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
+from coscrew_codegen.version import VERSION
 
 
 def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
@@ -26,7 +27,8 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
-        "scene/package.py", banner=banner, name=scene.name, about=about, nq=scene.nq, nv=scene.nv,
+        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION, nq=scene.nq,
+        nv=scene.nv,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
@@ -54,7 +56,8 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
         names |= {"broadcast_to", "ones_like", "where"}
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   imports=listed("from numpy import (", sorted(names), ")"),
-                  helpers=f"components, assembled{', arrays, spread' if scene.steps else ''}",
+                  helpers="components, assembled, delivered"
+                  f"{', arrays, spread' if scene.steps else ''}",
                   functions=[*(_function(f, precision) for f in functions),
                              *(_step(scene, name, precision) for name in scene.steps)])
 
@@ -87,7 +90,8 @@ def _function(function: Function, precision: Precision) -> dict[str, str]:
     lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs], precision),
              *expressions.lines]
     made = list(_assembled(outputs, expressions.results, precision))
-    lines.append(f"return {made[0]}" if len(made) == 1 else listed("return (", made, ")"))
+    lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
+                 listed("return delivered(", ["out", *made], ")"))
     return _text(_name(function), [a.name for a in program.inputs], scene_text.words(function),
                  lines)
 
@@ -100,7 +104,7 @@ def _assembled(outputs: Sequence[Argument], results: Sequence[str],
         parts = results[start:start + scene_text.size(output)]
         start += len(parts)
         head = f"assembled({precision.numpy_type}, lead, {_shape(output)}, ("
-        yield listed(head, parts, ",))" if len(parts) == 1 else "))", WIDTH - 12)
+        yield listed(head, parts, ",))" if len(parts) == 1 else "))", WIDTH - 28)
 
 
 def _text(name: str, arguments: Sequence[str], words: Sequence[str],

@@ -19,8 +19,8 @@ from coscrew_codegen.targets.precision import Precision
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
     "prismatic": "q in m; v in m/s",
-    "spherical": "q: quaternion (w, x, y, z); v: angular velocity in rad/s in the body's frame",
-    "free": "q: position in m, then quaternion (w, x, y, z); v: velocity in m/s, then angular "
+    "spherical": "q: quaternion (x, y, z, w); v: angular velocity in rad/s in the body's frame",
+    "free": "q: position in m, then quaternion (x, y, z, w); v: velocity in m/s, then angular "
             "velocity in rad/s, both in the body's frame",
 }
 
@@ -34,7 +34,7 @@ or or_eq private protected public reinterpret_cast requires static_assert static
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis
-range lead"""
+range lead out delivered assembled components spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
 

@@ -36,6 +36,11 @@ class Tier:
         """Whether Python has the tier."""
         return bool(self.in_words)
 
+    @property
+    def exact(self) -> bool:
+        """Whether its C computes rounding errors, which is one instruction by fma."""
+        return self.header == "ksl_exact"
+
     def has(self, program: Program) -> bool:
         """Whether the tier makes anything else of a plain program than it is."""
         ops = set(program.counts)

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* All headers of accurate kernels in one file, for vendoring; it may be included together with
    them. */
 
@@ -30,6 +32,14 @@
 #error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 #endif
+
+/* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
+#define KSL_VERSION_MAJOR 0
+#define KSL_VERSION_MINOR 1
+#define KSL_VERSION_PATCH 0
+#define KSL_VERSION_NUMBER(major, minor, patch) (10000 * (major) + 100 * (minor) + (patch))
+#define KSL_VERSION KSL_VERSION_NUMBER(KSL_VERSION_MAJOR, KSL_VERSION_MINOR, KSL_VERSION_PATCH)
+#define KSL_VERSION_STRING "0.1.0"
 
 #if defined(__GNUC__)
 #define KSL_VIEW __extension__ struct
@@ -151,16 +161,18 @@ typedef union ksl_mat6x6f_t {
   KSL_VIEW { float at[6][6]; };
 } ksl_mat6x6f_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; double precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; double precision. */
 typedef union ksl_quaternion_t {
   KSL_VIEW { double at[4]; };
-  KSL_VIEW { double w, x, y, z; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
 } ksl_quaternion_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; single precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; single precision. */
 typedef union ksl_quaternionf_t {
   KSL_VIEW { float at[4]; };
-  KSL_VIEW { float w, x, y, z; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
 /* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
@@ -198,7 +210,9 @@ typedef union ksl_inertiaf_t {
 #error "-ffast-math undoes compensated arithmetic"
 #endif
 
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
+#if defined(KSL_HAS_FMA)
+/* as whoever includes this says */
+#elif defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
 #define KSL_HAS_FMA 1
 #else
 #define KSL_HAS_FMA 0
@@ -12199,53 +12213,53 @@ static inline void ksl_working_crzf_accurate(const ksl_SE3f_t *D, const ksl_cosc
 
 #endif
 
-/* Quaternions q = (w; v): products, rotations, conversions, interpolation.
+/* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_QUATERNION_ACCURATE_H
 #define KSL_QUATERNION_ACCURATE_H
 
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->w * a;
-  const double self_1_new = self->x * a;
-  const double self_2_new = self->y * a;
-  const double self_3_new = self->z * a;
-  const double self_0_new_lo = ksl_product_error(self->w, a, self_0_new),
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_lo = ksl_product_error(self->x, a, self_1_new),
+  const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
       self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_lo = ksl_product_error(self->y, a, self_2_new),
+  const double self_2_new_lo = ksl_product_error(self->z, a, self_2_new),
       self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_lo = ksl_product_error(self->z, a, self_3_new),
+  const double self_3_new_lo = ksl_product_error(self->w, a, self_3_new),
       self_3_new_rounded = self_3_new + self_3_new_lo;
-  self->w = self_0_new_rounded;
-  self->x = self_1_new_rounded;
-  self->y = self_2_new_rounded;
-  self->z = self_3_new_rounded;
+  self->x = self_0_new_rounded;
+  self->y = self_1_new_rounded;
+  self->z = self_2_new_rounded;
+  self->w = self_3_new_rounded;
 }
 
-/* |q| = sqrt(w^2 + v·v).
-   q: quaternion (w; x, y, z), the scalar first.
+/* |q| = sqrt(v·v + w^2).
+   q: quaternion (x, y, z, w), the scalar last.
    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
      select. */
 static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->w);
-  const double s_size_1 = fabs(q->x);
-  const double s_size_2 = fabs(q->y);
-  const double s_size_3 = fabs(q->z);
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->w * s;
-  const double y_1 = q->x * s;
-  const double y_2 = q->y * s;
-  const double y_3 = q->z * s;
+  const double y_0 = q->x * s;
+  const double y_1 = q->y * s;
+  const double y_2 = q->z * s;
+  const double y_3 = q->w * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
       n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
@@ -12277,23 +12291,23 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
 }
 
 /* self = self / |self|; zero stays zero.
-   self: quaternion (w; x, y, z), the scalar first.
+   self: quaternion (x, y, z, w), the scalar last.
    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
-  const double s_size_0 = fabs(self->w);
-  const double s_size_1 = fabs(self->x);
-  const double s_size_2 = fabs(self->y);
-  const double s_size_3 = fabs(self->z);
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = self->w * s;
-  const double y_1 = self->x * s;
-  const double y_2 = self->y * s;
-  const double y_3 = self->z * s;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double y_3 = self->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
@@ -12313,10 +12327,10 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double enlarged_0 = self->w * up;
-  const double enlarged_1 = self->x * up;
-  const double enlarged_2 = self->y * up;
-  const double enlarged_3 = self->z * up;
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double enlarged_3 = self->w * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -12411,31 +12425,31 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
   const double self_3_new_rounded = self_3_new + self_3_new_lo,
       self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
-  self->w = self_0_new_final;
-  self->x = self_1_new_final;
-  self->y = self_2_new_final;
-  self->z = self_3_new_final;
+  self->x = self_0_new_final;
+  self->y = self_1_new_final;
+  self->z = self_2_new_final;
+  self->w = self_3_new_final;
 }
 
 /* qo = q / |q|; zero stays zero.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
      select. */
 static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
     ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->w);
-  const double s_size_1 = fabs(q->x);
-  const double s_size_2 = fabs(q->y);
-  const double s_size_3 = fabs(q->z);
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->w * s;
-  const double y_1 = q->x * s;
-  const double y_2 = q->y * s;
-  const double y_3 = q->z * s;
+  const double y_0 = q->x * s;
+  const double y_1 = q->y * s;
+  const double y_2 = q->z * s;
+  const double y_3 = q->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
@@ -12455,10 +12469,10 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
-  const double enlarged_0 = q->w * up;
-  const double enlarged_1 = q->x * up;
-  const double enlarged_2 = q->y * up;
-  const double enlarged_3 = q->z * up;
+  const double enlarged_0 = q->x * up;
+  const double enlarged_1 = q->y * up;
+  const double enlarged_2 = q->z * up;
+  const double enlarged_3 = q->w * up;
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -12541,214 +12555,216 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       qo_2_final = qo_2_rounded == qo_2_rounded ? qo_2_rounded : qo_2;
   const double qo_3_rounded = qo_3 + qo_3_lo,
       qo_3_final = qo_3_rounded == qo_3_rounded ? qo_3_rounded : qo_3;
-  qo->w = qo_0_final;
-  qo->x = qo_1_final;
-  qo->y = qo_2_final;
-  qo->z = qo_3_final;
+  qo->x = qo_0_final;
+  qo->y = qo_1_final;
+  qo->z = qo_2_final;
+  qo->w = qo_3_final;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 68 add, 16 product rest.
    Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
-      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
-      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
-      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
-      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
-      qo_0f_left_rest = qo_0d - qo_0f_left,
-      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
-      qo_0 = qo_0a - qo_0f, qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
-      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest - qo_0_right_rest,
-      qo_0_lo = qo_0_lo1 - qo_0f_lo;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
-      qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->w, q2->x, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->x, q2->w, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y,
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d, qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1->y, q2->z, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1->z, q2->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
+      qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
+      qo_0e_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0e_left),
+      qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
+      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f,
+      qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(q1->w, q2->x, qo_0f, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
+  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1->z, q2->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->x, q2->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d,
+      qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
+      qo_1e_left_rest = qo_1c - qo_1e_left,
+      qo_1e_right_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1e_right),
+      qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
+      qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
+      qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(q1->w, q2->y, qo_1f, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
+  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1->x, q2->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1->y, q2->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d,
+      qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
+      qo_2e_left_rest = qo_2c - qo_2e_left,
+      qo_2e_right_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2e_right),
+      qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
+      qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
+      qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1->w, q2->z, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b, qo_3d_left = qo_3d - qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1->x, q2->x, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1->y, q2->y, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e,
+      qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3f_left_rest = qo_3d - qo_3f_left,
+      qo_3f_right_rest = ksl_product_rest(q1->z, q2->z, qo_3e, qo_3f_right),
+      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
+      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(q1->w, q2->w, qo_3a, qo_3_left),
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
+      qo_3_lo = qo_3_lo1 - qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1* q2, q1* the conjugate.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
+  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1->w, q2->x, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1->x, q2->w, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
+      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w,
       qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->y, q2->z, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->z, q2->y, qo_1e, qo_1f_right),
+      qo_1f_left_rest = ksl_product_rest(q1->w, q2->y, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1->y, q2->w, qo_1e, qo_1f_right),
       qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
       qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
       qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
       qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
-      qo_2d = qo_2b - qo_2c, qo_2d_right = qo_2b - qo_2d, qo_2d_left = qo_2d + qo_2d_right,
-      qo_2d_left_rest = ksl_product_rest(q1->z, q2->x, qo_2b, qo_2d_left),
-      qo_2d_right_rest = ksl_product_rest(q1->x, q2->z, qo_2c, qo_2d_right),
-      qo_2d_lo = qo_2d_left_rest - qo_2d_right_rest, qo_2e = qo_2a + qo_2d,
-      qo_2e_right = qo_2e - qo_2a, qo_2e_left = qo_2e - qo_2e_right,
-      qo_2e_left_rest = ksl_product_rest(q1->w, q2->y, qo_2a, qo_2e_left),
-      qo_2e_right_rest = qo_2d - qo_2e_right, qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest,
-      qo_2e_lo = qo_2e_lo1 + qo_2d_lo, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f,
-      qo_2_right = qo_2 - qo_2e, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
-      qo_2_right_rest = ksl_product_rest(q1->y, q2->w, qo_2f, qo_2_right),
-      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
-      qo_3d = qo_3b - qo_3c, qo_3d_right = qo_3b - qo_3d, qo_3d_left = qo_3d + qo_3d_right,
-      qo_3d_left_rest = ksl_product_rest(q1->x, q2->y, qo_3b, qo_3d_left),
-      qo_3d_right_rest = ksl_product_rest(q1->y, q2->x, qo_3c, qo_3d_right),
-      qo_3d_lo = qo_3d_left_rest - qo_3d_right_rest, qo_3e = qo_3a + qo_3d,
-      qo_3e_right = qo_3e - qo_3a, qo_3e_left = qo_3e - qo_3e_right,
-      qo_3e_left_rest = ksl_product_rest(q1->w, q2->z, qo_3a, qo_3e_left),
-      qo_3e_right_rest = qo_3d - qo_3e_right, qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest,
-      qo_3e_lo = qo_3e_lo1 + qo_3d_lo, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f,
-      qo_3_right = qo_3 - qo_3e, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
-      qo_3_right_rest = ksl_product_rest(q1->z, q2->w, qo_3f, qo_3_right),
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w,
+      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1->w, q2->z, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1->z, q2->w, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
+      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
       qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
   const double qo_0_rounded = qo_0 + qo_0_lo;
   const double qo_1_rounded = qo_1 + qo_1_lo;
   const double qo_2_rounded = qo_2 + qo_2_lo;
   const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->w = qo_0_rounded;
-  qo->x = qo_1_rounded;
-  qo->y = qo_2_rounded;
-  qo->z = qo_3_rounded;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
-      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
-      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
-      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
-      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
-      qo_0f_left_rest = qo_0d - qo_0f_left,
-      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
-      qo_0 = qo_0a + qo_0f, qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
-      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo = qo_0_lo1 + qo_0f_lo;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->w, q2->x, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->x, q2->w, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z,
-      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->z, q2->y, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->y, q2->z, qo_1e, qo_1f_right),
-      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
-      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
-      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
-      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->w, q2->y, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->y, q2->w, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x,
-      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->x, q2->z, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->z, q2->x, qo_2e, qo_2f_right),
-      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
-      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
-      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
-      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
-      qo_3c_right = qo_3a - qo_3c, qo_3c_left = qo_3c + qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->w, q2->z, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->z, q2->w, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest - qo_3c_right_rest, qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y,
-      qo_3f = qo_3d - qo_3e, qo_3f_right = qo_3d - qo_3f, qo_3f_left = qo_3f + qo_3f_right,
-      qo_3f_left_rest = ksl_product_rest(q1->y, q2->x, qo_3d, qo_3f_left),
-      qo_3f_right_rest = ksl_product_rest(q1->x, q2->y, qo_3e, qo_3f_right),
-      qo_3f_lo = qo_3f_left_rest - qo_3f_right_rest, qo_3 = qo_3c + qo_3f,
-      qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3c - qo_3_left,
-      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest + qo_3_right_rest,
-      qo_3_lo2 = qo_3_lo1 + qo_3f_lo, qo_3_lo = qo_3_lo2 + qo_3c_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->w = qo_0_rounded;
-  qo->x = qo_1_rounded;
-  qo->y = qo_2_rounded;
-  qo->z = qo_3_rounded;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0d_right = qo_0d - qo_0b, qo_0d_left = qo_0d - qo_0d_right,
-      qo_0d_left_rest = ksl_product_rest(q1->x, q2->x, qo_0b, qo_0d_left),
-      qo_0d_right_rest = ksl_product_rest(q1->y, q2->y, qo_0c, qo_0d_right),
-      qo_0d_lo = qo_0d_left_rest + qo_0d_right_rest, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e,
-      qo_0f_right = qo_0f - qo_0d, qo_0f_left = qo_0f - qo_0f_right,
-      qo_0f_left_rest = qo_0d - qo_0f_left,
-      qo_0f_right_rest = ksl_product_rest(q1->z, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo1 = qo_0f_left_rest + qo_0f_right_rest, qo_0f_lo = qo_0f_lo1 + qo_0d_lo,
-      qo_0 = qo_0a + qo_0f, qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
-      qo_0_left_rest = ksl_product_rest(q1->w, q2->w, qo_0a, qo_0_left),
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1->w, q2->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
+      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
       qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo = qo_0_lo1 + qo_0f_lo;
-  const double qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
       qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->x, q2->w, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->w, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z,
+      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y,
       qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->z, q2->y, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->y, q2->z, qo_1e, qo_1f_right),
+      qo_1f_left_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1->w, q2->y, qo_1e, qo_1f_right),
       qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
       qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
       qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
       qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
       qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->y, q2->w, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->w, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x,
+      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z,
       qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->x, q2->z, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->z, q2->x, qo_2e, qo_2f_right),
+      qo_2f_left_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1->w, q2->z, qo_2e, qo_2f_right),
       qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
       qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
       qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
       qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
-      qo_3c_right = qo_3a - qo_3c, qo_3c_left = qo_3c + qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->z, q2->w, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->w, q2->z, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest - qo_3c_right_rest, qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y,
-      qo_3f = qo_3d - qo_3e, qo_3f_right = qo_3d - qo_3f, qo_3f_left = qo_3f + qo_3f_right,
-      qo_3f_left_rest = ksl_product_rest(q1->y, q2->x, qo_3d, qo_3f_left),
-      qo_3f_right_rest = ksl_product_rest(q1->x, q2->y, qo_3e, qo_3f_right),
-      qo_3f_lo = qo_3f_left_rest - qo_3f_right_rest, qo_3 = qo_3c + qo_3f,
-      qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3c - qo_3_left,
-      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest + qo_3_right_rest,
-      qo_3_lo2 = qo_3_lo1 + qo_3f_lo, qo_3_lo = qo_3_lo2 + qo_3c_lo;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
+      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
   const double qo_0_rounded = qo_0 + qo_0_lo;
   const double qo_1_rounded = qo_1 + qo_1_lo;
   const double qo_2_rounded = qo_2 + qo_2_lo;
   const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->w = qo_0_rounded;
-  qo->x = qo_1_rounded;
-  qo->y = qo_2_rounded;
-  qo->z = qo_3_rounded;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    30 mul, 75 add, 15 product rest.
-   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -12767,45 +12783,48 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->y * t_2,
-      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = q->z * t_1, turn_0c_cross2 = q->z * t_1_cross2,
-      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
-      turn_0d_left = turn_0d + turn_0d_right,
-      turn_0d_left_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0d_left),
-      turn_0d_right_rest = ksl_product_rest(q->z, t_1, turn_0c, turn_0d_right),
-      turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
-      turn_0d_lo1 = turn_0d_left_rest - turn_0d_right_rest,
-      turn_0d_lo = turn_0d_lo1 + turn_0d_cross, turn_0 = turn_0a + turn_0d,
-      turn_0_right = turn_0 - turn_0a, turn_0_left = turn_0 - turn_0_right,
-      turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
-      turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
-      turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->z * t_0,
-      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = q->x * t_2, turn_1c_cross2 = q->x * t_2_cross2,
-      turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
-      turn_1d_left = turn_1d + turn_1d_right,
-      turn_1d_left_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1d_left),
-      turn_1d_right_rest = ksl_product_rest(q->x, t_2, turn_1c, turn_1d_right),
-      turn_1d_cross = turn_1b_cross2 - turn_1c_cross2,
-      turn_1d_lo1 = turn_1d_left_rest - turn_1d_right_rest,
-      turn_1d_lo = turn_1d_lo1 + turn_1d_cross, turn_1 = turn_1a + turn_1d,
-      turn_1_right = turn_1 - turn_1a, turn_1_left = turn_1 - turn_1_right,
-      turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
-      turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
-      turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->x * t_1,
-      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = q->y * t_0, turn_2c_cross2 = q->y * t_0_cross2,
-      turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
-      turn_2d_left = turn_2d + turn_2d_right,
-      turn_2d_left_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2d_left),
-      turn_2d_right_rest = ksl_product_rest(q->y, t_0, turn_2c, turn_2d_right),
-      turn_2d_cross = turn_2b_cross2 - turn_2c_cross2,
-      turn_2d_lo1 = turn_2d_left_rest - turn_2d_right_rest,
-      turn_2d_lo = turn_2d_lo1 + turn_2d_cross, turn_2 = turn_2a + turn_2d,
-      turn_2_right = turn_2 - turn_2a, turn_2_left = turn_2 - turn_2_right,
-      turn_2_left_rest = ksl_product_rest(q->w, t_2, turn_2a, turn_2_left),
-      turn_2_right_rest = turn_2d - turn_2_right, turn_2_lo1 = turn_2_left_rest + turn_2_right_rest,
-      turn_2_lo2 = turn_2_lo1 + turn_2d_lo, turn_2_lo = turn_2_lo2 + turn_2a_cross2;
+  const double turn_0a = q->y * t_2, turn_0a_cross2 = q->y * t_2_cross2, turn_0b = q->z * t_1,
+      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = turn_0a - turn_0b,
+      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+      turn_0c_left_rest = ksl_product_rest(q->y, t_2, turn_0a, turn_0c_left),
+      turn_0c_right_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0c_right),
+      turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
+      turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
+      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
+      turn_0_left_rest = turn_0c - turn_0_left,
+      turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
+      turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
+      turn_0_lo = turn_0_lo2 + turn_0c_lo;
+  const double turn_1a = q->z * t_0, turn_1a_cross2 = q->z * t_0_cross2, turn_1b = q->x * t_2,
+      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = turn_1a - turn_1b,
+      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+      turn_1c_left_rest = ksl_product_rest(q->z, t_0, turn_1a, turn_1c_left),
+      turn_1c_right_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1c_right),
+      turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
+      turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
+      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
+      turn_1_left_rest = turn_1c - turn_1_left,
+      turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
+      turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
+      turn_1_lo = turn_1_lo2 + turn_1c_lo;
+  const double turn_2a = q->x * t_1, turn_2a_cross2 = q->x * t_1_cross2, turn_2b = q->y * t_0,
+      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = turn_2a - turn_2b,
+      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+      turn_2c_left_rest = ksl_product_rest(q->x, t_1, turn_2a, turn_2c_left),
+      turn_2c_right_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2c_right),
+      turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
+      turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
+      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
+      turn_2_left_rest = turn_2c - turn_2_left,
+      turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
+      turn_2_lo1 = turn_2_left_rest + turn_2_right_rest, turn_2_lo2 = turn_2_lo1 + turn_2d_cross2,
+      turn_2_lo = turn_2_lo2 + turn_2c_lo;
   const double vo_0 = v->x + turn_0, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
       vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = turn_0 - vo_0_right,
       vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + turn_0_lo;
@@ -12824,9 +12843,9 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    30 mul, 75 add, 15 product rest.
-   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
+   Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
@@ -12845,45 +12864,48 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
   const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
   const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
   const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->w * t_0, turn_0a_cross2 = q->w * t_0_cross2, turn_0b = q->z * t_1,
-      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = q->y * t_2, turn_0c_cross2 = q->y * t_2_cross2,
-      turn_0d = turn_0b - turn_0c, turn_0d_right = turn_0b - turn_0d,
-      turn_0d_left = turn_0d + turn_0d_right,
-      turn_0d_left_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0d_left),
-      turn_0d_right_rest = ksl_product_rest(q->y, t_2, turn_0c, turn_0d_right),
-      turn_0d_cross = turn_0b_cross2 - turn_0c_cross2,
-      turn_0d_lo1 = turn_0d_left_rest - turn_0d_right_rest,
-      turn_0d_lo = turn_0d_lo1 + turn_0d_cross, turn_0 = turn_0a + turn_0d,
-      turn_0_right = turn_0 - turn_0a, turn_0_left = turn_0 - turn_0_right,
-      turn_0_left_rest = ksl_product_rest(q->w, t_0, turn_0a, turn_0_left),
-      turn_0_right_rest = turn_0d - turn_0_right, turn_0_lo1 = turn_0_left_rest + turn_0_right_rest,
-      turn_0_lo2 = turn_0_lo1 + turn_0d_lo, turn_0_lo = turn_0_lo2 + turn_0a_cross2;
-  const double turn_1a = q->w * t_1, turn_1a_cross2 = q->w * t_1_cross2, turn_1b = q->x * t_2,
-      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = q->z * t_0, turn_1c_cross2 = q->z * t_0_cross2,
-      turn_1d = turn_1b - turn_1c, turn_1d_right = turn_1b - turn_1d,
-      turn_1d_left = turn_1d + turn_1d_right,
-      turn_1d_left_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1d_left),
-      turn_1d_right_rest = ksl_product_rest(q->z, t_0, turn_1c, turn_1d_right),
-      turn_1d_cross = turn_1b_cross2 - turn_1c_cross2,
-      turn_1d_lo1 = turn_1d_left_rest - turn_1d_right_rest,
-      turn_1d_lo = turn_1d_lo1 + turn_1d_cross, turn_1 = turn_1a + turn_1d,
-      turn_1_right = turn_1 - turn_1a, turn_1_left = turn_1 - turn_1_right,
-      turn_1_left_rest = ksl_product_rest(q->w, t_1, turn_1a, turn_1_left),
-      turn_1_right_rest = turn_1d - turn_1_right, turn_1_lo1 = turn_1_left_rest + turn_1_right_rest,
-      turn_1_lo2 = turn_1_lo1 + turn_1d_lo, turn_1_lo = turn_1_lo2 + turn_1a_cross2;
-  const double turn_2a = q->w * t_2, turn_2a_cross2 = q->w * t_2_cross2, turn_2b = q->y * t_0,
-      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = q->x * t_1, turn_2c_cross2 = q->x * t_1_cross2,
-      turn_2d = turn_2b - turn_2c, turn_2d_right = turn_2b - turn_2d,
-      turn_2d_left = turn_2d + turn_2d_right,
-      turn_2d_left_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2d_left),
-      turn_2d_right_rest = ksl_product_rest(q->x, t_1, turn_2c, turn_2d_right),
-      turn_2d_cross = turn_2b_cross2 - turn_2c_cross2,
-      turn_2d_lo1 = turn_2d_left_rest - turn_2d_right_rest,
-      turn_2d_lo = turn_2d_lo1 + turn_2d_cross, turn_2 = turn_2a + turn_2d,
-      turn_2_right = turn_2 - turn_2a, turn_2_left = turn_2 - turn_2_right,
-      turn_2_left_rest = ksl_product_rest(q->w, t_2, turn_2a, turn_2_left),
-      turn_2_right_rest = turn_2d - turn_2_right, turn_2_lo1 = turn_2_left_rest + turn_2_right_rest,
-      turn_2_lo2 = turn_2_lo1 + turn_2d_lo, turn_2_lo = turn_2_lo2 + turn_2a_cross2;
+  const double turn_0a = q->z * t_1, turn_0a_cross2 = q->z * t_1_cross2, turn_0b = q->y * t_2,
+      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = turn_0a - turn_0b,
+      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+      turn_0c_left_rest = ksl_product_rest(q->z, t_1, turn_0a, turn_0c_left),
+      turn_0c_right_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0c_right),
+      turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
+      turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
+      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
+      turn_0_left_rest = turn_0c - turn_0_left,
+      turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
+      turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
+      turn_0_lo = turn_0_lo2 + turn_0c_lo;
+  const double turn_1a = q->x * t_2, turn_1a_cross2 = q->x * t_2_cross2, turn_1b = q->z * t_0,
+      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = turn_1a - turn_1b,
+      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+      turn_1c_left_rest = ksl_product_rest(q->x, t_2, turn_1a, turn_1c_left),
+      turn_1c_right_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1c_right),
+      turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
+      turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
+      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
+      turn_1_left_rest = turn_1c - turn_1_left,
+      turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
+      turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
+      turn_1_lo = turn_1_lo2 + turn_1c_lo;
+  const double turn_2a = q->y * t_0, turn_2a_cross2 = q->y * t_0_cross2, turn_2b = q->x * t_1,
+      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = turn_2a - turn_2b,
+      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+      turn_2c_left_rest = ksl_product_rest(q->y, t_0, turn_2a, turn_2c_left),
+      turn_2c_right_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2c_right),
+      turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
+      turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
+      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
+      turn_2_left_rest = turn_2c - turn_2_left,
+      turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
+      turn_2_lo1 = turn_2_left_rest + turn_2_right_rest, turn_2_lo2 = turn_2_lo1 + turn_2d_cross2,
+      turn_2_lo = turn_2_lo2 + turn_2c_lo;
   const double vo_0 = v->x + turn_0, vo_0_right = vo_0 - v->x, vo_0_left = vo_0 - vo_0_right,
       vo_0_left_rest = v->x - vo_0_left, vo_0_right_rest = turn_0 - vo_0_right,
       vo_0_lo1 = vo_0_left_rest + vo_0_right_rest, vo_0_lo = vo_0_lo1 + turn_0_lo;
@@ -12902,7 +12924,7 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
-   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
@@ -12968,28 +12990,28 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       d2_lo1 = d2_left_rest - d2_right_rest, d2_lo2 = d2_lo1 - pairs_5_lo,
       d2_lo = d2_lo2 + pairs_4_lo;
   const double twice = 2.0 * factor, twice_cross2 = 2.0 * factor_lo;
-  const double m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
+  const double m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
       m_0_left = m_0 + m_0_right, m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
-      m_0_right_rest = ksl_product_rest(q->w, q->z, m_0b, m_0_right),
+      m_0_right_rest = ksl_product_rest(q->z, q->w, m_0b, m_0_right),
       m_0_lo = m_0_left_rest - m_0_right_rest;
-  const double m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
-      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->w, q->y, m_1a, m_1_left),
-      m_1_right_rest = ksl_product_rest(q->x, q->z, m_1b, m_1_right),
+  const double m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
+      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_1_left),
+      m_1_right_rest = ksl_product_rest(q->y, q->w, m_1b, m_1_right),
       m_1_lo = m_1_left_rest + m_1_right_rest;
-  const double m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
+  const double m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
       m_2_left = m_2 + m_2_right, m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
-      m_2_right_rest = ksl_product_rest(q->w, q->x, m_2b, m_2_right),
+      m_2_right_rest = ksl_product_rest(q->x, q->w, m_2b, m_2_right),
       m_2_lo = m_2_left_rest - m_2_right_rest;
-  const double m_3 = m_0b + m_0a, m_3_right = m_3 - m_0b, m_3_left = m_3 - m_3_right,
-      m_3_left_rest = ksl_product_rest(q->w, q->z, m_0b, m_3_left),
-      m_3_right_rest = ksl_product_rest(q->x, q->y, m_0a, m_3_right),
+  const double m_3 = m_0a + m_0b, m_3_right = m_3 - m_0a, m_3_left = m_3 - m_3_right,
+      m_3_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_3_left),
+      m_3_right_rest = ksl_product_rest(q->z, q->w, m_0b, m_3_right),
       m_3_lo = m_3_left_rest + m_3_right_rest;
-  const double m_4 = m_1b - m_1a, m_4_right = m_1b - m_4, m_4_left = m_4 + m_4_right,
-      m_4_left_rest = ksl_product_rest(q->x, q->z, m_1b, m_4_left),
-      m_4_right_rest = ksl_product_rest(q->w, q->y, m_1a, m_4_right),
+  const double m_4 = m_1a - m_1b, m_4_right = m_1a - m_4, m_4_left = m_4 + m_4_right,
+      m_4_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_4_left),
+      m_4_right_rest = ksl_product_rest(q->y, q->w, m_1b, m_4_right),
       m_4_lo = m_4_left_rest - m_4_right_rest;
   const double m_5 = m_2b + m_2a, m_5_right = m_5 - m_2b, m_5_left = m_5 - m_5_right,
-      m_5_left_rest = ksl_product_rest(q->w, q->x, m_2b, m_5_left),
+      m_5_left_rest = ksl_product_rest(q->x, q->w, m_2b, m_5_left),
       m_5_right_rest = ksl_product_rest(q->y, q->z, m_2a, m_5_right),
       m_5_lo = m_5_left_rest + m_5_right_rest;
   const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
@@ -13049,7 +13071,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
 }
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
-   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
@@ -13104,18 +13126,18 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
       d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
       d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
-      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
-      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
-      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
-      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
@@ -13125,17 +13147,17 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
   const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
       length_a_cross2 = upper_0 * upper_0_lo, length_a_cross = length_a_cross1 + length_a_cross2,
       length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
@@ -13231,34 +13253,34 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       qo_2_final = qo_2_rounded == qo_2_rounded ? qo_2_rounded : qo_2;
   const double qo_3_rounded = qo_3 + qo_3_lo,
       qo_3_final = qo_3_rounded == qo_3_rounded ? qo_3_rounded : qo_3;
-  qo->w = qo_0_final;
-  qo->x = qo_1_final;
-  qo->y = qo_2_final;
-  qo->z = qo_3_final;
+  qo->x = qo_0_final;
+  qo->y = qo_1_final;
+  qo->z = qo_2_final;
+  qo->w = qo_3_final;
 }
 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
-   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   q: quaternion (x, y, z, w), the scalar last; axis: vector.
    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
      less, 8 equal, 23 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
-  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
-  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
-  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
-  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
+  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
+  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
+  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
@@ -13288,11 +13310,11 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
       half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
@@ -13338,25 +13360,25 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
-   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; vo: vector.
    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8 less,
      7 equal, 20 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
-  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
-  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
-  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
+  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
+  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
+  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
@@ -13386,11 +13408,11 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_0),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_0),
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
+      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
       half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
@@ -13413,16 +13435,16 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = upper_1 * k, vector_0_cross2 = upper_1 * k_lo;
-  const double vector_1 = upper_2 * k, vector_1_cross2 = upper_2 * k_lo;
-  const double vector_2 = upper_3 * k, vector_2_cross2 = upper_3 * k_lo;
-  const double vector_0_error = ksl_product_error(upper_1, k, vector_0),
+  const double vector_0 = upper_0 * k, vector_0_cross2 = upper_0 * k_lo;
+  const double vector_1 = upper_1 * k, vector_1_cross2 = upper_1 * k_lo;
+  const double vector_2 = upper_2 * k, vector_2_cross2 = upper_2 * k_lo;
+  const double vector_0_error = ksl_product_error(upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross2, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(upper_2, k, vector_1),
+  const double vector_1_error = ksl_product_error(upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross2, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(upper_3, k, vector_2),
+  const double vector_2_error = ksl_product_error(upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross2, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
@@ -13431,38 +13453,38 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 }
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul.
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const float a) {
-  const double self_0_new = (double)self->w * (double)a;
-  const double self_1_new = (double)self->x * (double)a;
-  const double self_2_new = (double)self->y * (double)a;
-  const double self_3_new = (double)self->z * (double)a;
-  self->w = (float)self_0_new;
-  self->x = (float)self_1_new;
-  self->y = (float)self_2_new;
-  self->z = (float)self_3_new;
+  const double self_0_new = (double)self->x * (double)a;
+  const double self_1_new = (double)self->y * (double)a;
+  const double self_2_new = (double)self->z * (double)a;
+  const double self_3_new = (double)self->w * (double)a;
+  self->x = (float)self_0_new;
+  self->y = (float)self_1_new;
+  self->z = (float)self_2_new;
+  self->w = (float)self_3_new;
 }
 
-/* |q| = sqrt(w^2 + v·v).
-   q: quaternion (w; x, y, z), the scalar first.
+/* |q| = sqrt(v·v + w^2).
+   q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
 static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
-  const double s_size_0 = fabs((double)q->w);
-  const double s_size_1 = fabs((double)q->x);
-  const double s_size_2 = fabs((double)q->y);
-  const double s_size_3 = fabs((double)q->z);
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
-  const double y_0 = (double)q->w * s;
-  const double y_1 = (double)q->x * s;
-  const double y_2 = (double)q->y * s;
-  const double y_3 = (double)q->z * s;
+  const double y_0 = (double)q->x * s;
+  const double y_1 = (double)q->y * s;
+  const double y_2 = (double)q->z * s;
+  const double y_3 = (double)q->w * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
@@ -13472,31 +13494,31 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
 }
 
 /* self = self / |self|; zero stays zero.
-   self: quaternion (w; x, y, z), the scalar first.
+   self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
-  const double s_size_0 = fabs((double)self->w);
-  const double s_size_1 = fabs((double)self->x);
-  const double s_size_2 = fabs((double)self->y);
-  const double s_size_3 = fabs((double)self->z);
+  const double s_size_0 = fabs((double)self->x);
+  const double s_size_1 = fabs((double)self->y);
+  const double s_size_2 = fabs((double)self->z);
+  const double s_size_3 = fabs((double)self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
-  const double y_0 = (double)self->w * s;
-  const double y_1 = (double)self->x * s;
-  const double y_2 = (double)self->y * s;
-  const double y_3 = (double)self->z * s;
+  const double y_0 = (double)self->x * s;
+  const double y_1 = (double)self->y * s;
+  const double y_2 = (double)self->z * s;
+  const double y_3 = (double)self->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->w * up;
-  const double enlarged_1 = (double)self->x * up;
-  const double enlarged_2 = (double)self->y * up;
-  const double enlarged_3 = (double)self->z * up;
+  const double enlarged_0 = (double)self->x * up;
+  const double enlarged_1 = (double)self->y * up;
+  const double enlarged_2 = (double)self->z * up;
+  const double enlarged_3 = (double)self->w * up;
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
@@ -13505,39 +13527,39 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double self_1_new = quotient_1 * down;
   const double self_2_new = quotient_2 * down;
   const double self_3_new = quotient_3 * down;
-  self->w = (float)self_0_new;
-  self->x = (float)self_1_new;
-  self->y = (float)self_2_new;
-  self->z = (float)self_3_new;
+  self->x = (float)self_0_new;
+  self->y = (float)self_1_new;
+  self->z = (float)self_2_new;
+  self->w = (float)self_3_new;
 }
 
 /* qo = q / |q|; zero stays zero.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *q,
     ksl_quaternionf_t *qo) {
-  const double s_size_0 = fabs((double)q->w);
-  const double s_size_1 = fabs((double)q->x);
-  const double s_size_2 = fabs((double)q->y);
-  const double s_size_3 = fabs((double)q->z);
+  const double s_size_0 = fabs((double)q->x);
+  const double s_size_1 = fabs((double)q->y);
+  const double s_size_2 = fabs((double)q->z);
+  const double s_size_3 = fabs((double)q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s = s_largest3 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
-  const double y_0 = (double)q->w * s;
-  const double y_1 = (double)q->x * s;
-  const double y_2 = (double)q->y * s;
-  const double y_3 = (double)q->z * s;
+  const double y_0 = (double)q->x * s;
+  const double y_1 = (double)q->y * s;
+  const double y_2 = (double)q->z * s;
+  const double y_3 = (double)q->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)q->w * up;
-  const double enlarged_1 = (double)q->x * up;
-  const double enlarged_2 = (double)q->y * up;
-  const double enlarged_3 = (double)q->z * up;
+  const double enlarged_0 = (double)q->x * up;
+  const double enlarged_1 = (double)q->y * up;
+  const double enlarged_2 = (double)q->z * up;
+  const double enlarged_3 = (double)q->w * up;
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
@@ -13546,89 +13568,89 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double qo_1 = quotient_1 * down;
   const double qo_2 = quotient_2 * down;
   const double qo_3 = quotient_3 * down;
-  qo->w = (float)qo_0;
-  qo->x = (float)qo_1;
-  qo->y = (float)qo_2;
-  qo->z = (float)qo_3;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
-      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
-      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const double qo_1a = (double)q1->w * (double)q2->x, qo_1b = (double)q1->x * (double)q2->w,
-      qo_1c = qo_1a + qo_1b, qo_1d = (double)q1->y * (double)q2->z,
-      qo_1e = (double)q1->z * (double)q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->w * (double)q2->y, qo_2b = (double)q1->z * (double)q2->x,
-      qo_2c = (double)q1->x * (double)q2->z, qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d,
-      qo_2f = (double)q1->y * (double)q2->w, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = (double)q1->w * (double)q2->z, qo_3b = (double)q1->x * (double)q2->y,
-      qo_3c = (double)q1->y * (double)q2->x, qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d,
-      qo_3f = (double)q1->z * (double)q2->w, qo_3 = qo_3e + qo_3f;
-  qo->w = (float)qo_0;
-  qo->x = (float)qo_1;
-  qo->y = (float)qo_2;
-  qo->z = (float)qo_3;
+  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->y * (double)q2->z,
+      qo_0c = (double)q1->z * (double)q2->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = (double)q1->w * (double)q2->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = (double)q1->z * (double)q2->x, qo_1b = (double)q1->x * (double)q2->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w, qo_1e = qo_1c + qo_1d,
+      qo_1f = (double)q1->w * (double)q2->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = (double)q1->x * (double)q2->y, qo_2b = (double)q1->y * (double)q2->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w, qo_2e = qo_2c + qo_2d,
+      qo_2f = (double)q1->w * (double)q2->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = (double)q1->w * (double)q2->w, qo_3b = (double)q1->x * (double)q2->x,
+      qo_3c = (double)q1->y * (double)q2->y, qo_3d = qo_3b + qo_3c,
+      qo_3e = (double)q1->z * (double)q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
 }
 
 /* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of the expanded
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
-      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
-      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = (double)q1->w * (double)q2->x, qo_1b = (double)q1->x * (double)q2->w,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->z * (double)q2->y,
-      qo_1e = (double)q1->y * (double)q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->w * (double)q2->y, qo_2b = (double)q1->y * (double)q2->w,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->x * (double)q2->z,
-      qo_2e = (double)q1->z * (double)q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->w * (double)q2->z, qo_3b = (double)q1->z * (double)q2->w,
-      qo_3c = qo_3a - qo_3b, qo_3d = (double)q1->y * (double)q2->x,
-      qo_3e = (double)q1->x * (double)q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = (float)qo_0;
-  qo->x = (float)qo_1;
-  qo->y = (float)qo_2;
-  qo->z = (float)qo_3;
+  const double qo_0a = (double)q1->w * (double)q2->x, qo_0b = (double)q1->x * (double)q2->w,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
+      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->w * (double)q2->y,
+      qo_1e = (double)q1->y * (double)q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->w * (double)q2->z,
+      qo_2e = (double)q1->z * (double)q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of the expanded
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->w * (double)q2->w, qo_0b = (double)q1->x * (double)q2->x,
-      qo_0c = (double)q1->y * (double)q2->y, qo_0d = qo_0b + qo_0c,
-      qo_0e = (double)q1->z * (double)q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = (double)q1->x * (double)q2->w, qo_1b = (double)q1->w * (double)q2->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->z * (double)q2->y,
-      qo_1e = (double)q1->y * (double)q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->y * (double)q2->w, qo_2b = (double)q1->w * (double)q2->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->x * (double)q2->z,
-      qo_2e = (double)q1->z * (double)q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->z * (double)q2->w, qo_3b = (double)q1->w * (double)q2->z,
-      qo_3c = qo_3a - qo_3b, qo_3d = (double)q1->y * (double)q2->x,
-      qo_3e = (double)q1->x * (double)q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = (float)qo_0;
-  qo->x = (float)qo_1;
-  qo->y = (float)qo_2;
-  qo->z = (float)qo_3;
+  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->w * (double)q2->x,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
+      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w,
+      qo_1e = (double)q1->w * (double)q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w,
+      qo_2e = (double)q1->w * (double)q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
@@ -13643,12 +13665,12 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->w * t_0, turn_0b = (double)q->y * t_2,
-      turn_0c = (double)q->z * t_1, turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = (double)q->w * t_1, turn_1b = (double)q->z * t_0,
-      turn_1c = (double)q->x * t_2, turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = (double)q->w * t_2, turn_2b = (double)q->x * t_1,
-      turn_2c = (double)q->y * t_0, turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = (double)q->y * t_2, turn_0b = (double)q->z * t_1,
+      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = (double)q->z * t_0, turn_1b = (double)q->x * t_2,
+      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = (double)q->x * t_1, turn_2b = (double)q->y * t_0,
+      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -13658,7 +13680,7 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
@@ -13673,12 +13695,12 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->w * t_0, turn_0b = (double)q->z * t_1,
-      turn_0c = (double)q->y * t_2, turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = (double)q->w * t_1, turn_1b = (double)q->x * t_2,
-      turn_1c = (double)q->z * t_0, turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = (double)q->w * t_2, turn_2b = (double)q->y * t_0,
-      turn_2c = (double)q->x * t_1, turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = (double)q->z * t_1, turn_0b = (double)q->y * t_2,
+      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = (double)q->x * t_2, turn_1b = (double)q->z * t_0,
+      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = (double)q->y * t_0, turn_2b = (double)q->x * t_1,
+      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -13688,7 +13710,7 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
-   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
@@ -13709,14 +13731,14 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   const double d1 = pairs_2 - pairs_3;
   const double d2 = pairs_4 - pairs_5;
   const double twice = 2.0 * factor;
-  const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->w * (double)q->z,
+  const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->z * (double)q->w,
       m_0 = m_0a - m_0b;
-  const double m_1a = (double)q->w * (double)q->y, m_1b = (double)q->x * (double)q->z,
+  const double m_1a = (double)q->x * (double)q->z, m_1b = (double)q->y * (double)q->w,
       m_1 = m_1a + m_1b;
-  const double m_2a = (double)q->y * (double)q->z, m_2b = (double)q->w * (double)q->x,
+  const double m_2a = (double)q->y * (double)q->z, m_2b = (double)q->x * (double)q->w,
       m_2 = m_2a - m_2b;
-  const double m_3 = m_0b + m_0a;
-  const double m_4 = m_1b - m_1a;
+  const double m_3 = m_0a + m_0b;
+  const double m_4 = m_1a - m_1b;
   const double m_5 = m_2b + m_2a;
   const double R_00 = factor * d0;
   const double R_01 = twice * m_0;
@@ -13739,7 +13761,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 }
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
-   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
@@ -13758,22 +13780,22 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
   const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
       length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
       length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
@@ -13781,39 +13803,39 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
   const double qo_3 = upper_3 / length;
-  qo->w = (float)qo_0;
-  qo->x = (float)qo_1;
-  qo->y = (float)qo_2;
-  qo->z = (float)qo_3;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
 }
 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
-   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   q: quaternion (x, y, z, w), the scalar last; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
-  const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
-  const double upper_1a = -(double)q->x, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->x;
-  const double upper_2a = -(double)q->y, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->y;
-  const double upper_3a = -(double)q->z, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -(double)q->x, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->x;
+  const double upper_1a = -(double)q->y, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->y;
+  const double upper_2a = -(double)q->z, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->z;
+  const double upper_3a = -(double)q->w, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -13827,36 +13849,36 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
-   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; vo: vector.
    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const double upper_0a = -(double)q->w, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->w;
-  const double upper_1a = -(double)q->x, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->x;
-  const double upper_2a = -(double)q->y, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->y;
-  const double upper_3a = -(double)q->z, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -(double)q->x, upper_0 = (double)q->w < 0.0 ? upper_0a : (double)q->x;
+  const double upper_1a = -(double)q->y, upper_1 = (double)q->w < 0.0 ? upper_1a : (double)q->y;
+  const double upper_2a = -(double)q->z, upper_2 = (double)q->w < 0.0 ? upper_2a : (double)q->z;
+  const double upper_3a = -(double)q->w, upper_3 = (double)q->w < 0.0 ? upper_3a : (double)q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
@@ -13925,18 +13947,18 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
       d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
       d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
-      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
-      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
-      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
-      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
@@ -13946,50 +13968,50 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_0_of_upper_1_right = v_y_0_of_upper_1 - upper_1,
-      v_y_0_of_upper_1_left = v_y_0_of_upper_1 - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_left_rest = upper_1 - v_y_0_of_upper_1_left,
-      v_y_0_of_upper_1_right_rest = upper_1_lo - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_lo = v_y_0_of_upper_1_left_rest + v_y_0_of_upper_1_right_rest,
-      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
+  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
+      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
+      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
+      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_1_of_upper_2_right = v_y_1_of_upper_2 - upper_2,
-      v_y_1_of_upper_2_left = v_y_1_of_upper_2 - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_left_rest = upper_2 - v_y_1_of_upper_2_left,
-      v_y_1_of_upper_2_right_rest = upper_2_lo - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_lo = v_y_1_of_upper_2_left_rest + v_y_1_of_upper_2_right_rest,
-      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
+      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
+      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
+      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
       v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
-      v_y_2_of_upper_3_right = v_y_2_of_upper_3 - upper_3,
-      v_y_2_of_upper_3_left = v_y_2_of_upper_3 - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_left_rest = upper_3 - v_y_2_of_upper_3_left,
-      v_y_2_of_upper_3_right_rest = upper_3_lo - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_lo = v_y_2_of_upper_3_left_rest + v_y_2_of_upper_3_right_rest,
-      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
+      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
+      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
+      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
       v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
@@ -14027,17 +14049,17 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half_of_upper_0 = upper_0 + upper_0_lo, half_of_upper_0_right = half_of_upper_0 - upper_0,
-      half_of_upper_0_left = half_of_upper_0 - half_of_upper_0_right,
-      half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
-      half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
-      half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_0),
+      half_of_upper_3 = upper_3 + upper_3_lo, half_of_upper_3_right = half_of_upper_3 - upper_3,
+      half_of_upper_3_left = half_of_upper_3 - half_of_upper_3_right,
+      half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
+      half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
+      half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
+      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
@@ -14059,19 +14081,19 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = v_y_0_of_upper_1 * k, vector_0_cross1 = v_y_0_of_upper_1_lo * k,
-      vector_0_cross2 = v_y_0_of_upper_1 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
-  const double vector_1 = v_y_1_of_upper_2 * k, vector_1_cross1 = v_y_1_of_upper_2_lo * k,
-      vector_1_cross2 = v_y_1_of_upper_2 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
-  const double vector_2 = v_y_2_of_upper_3 * k, vector_2_cross1 = v_y_2_of_upper_3_lo * k,
-      vector_2_cross2 = v_y_2_of_upper_3 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
-  const double vector_0_error = ksl_product_error(v_y_0_of_upper_1, k, vector_0),
+  const double vector_0 = v_y_0_of_upper_0 * k, vector_0_cross1 = v_y_0_of_upper_0_lo * k,
+      vector_0_cross2 = v_y_0_of_upper_0 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
+  const double vector_1 = v_y_1_of_upper_1 * k, vector_1_cross1 = v_y_1_of_upper_1_lo * k,
+      vector_1_cross2 = v_y_1_of_upper_1 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
+  const double vector_2 = v_y_2_of_upper_2 * k, vector_2_cross1 = v_y_2_of_upper_2_lo * k,
+      vector_2_cross2 = v_y_2_of_upper_2 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
+  const double vector_0_error = ksl_product_error(v_y_0_of_upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(v_y_1_of_upper_2, k, vector_1),
+  const double vector_1_error = ksl_product_error(v_y_1_of_upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(v_y_2_of_upper_3, k, vector_2),
+  const double vector_2_error = ksl_product_error(v_y_2_of_upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
@@ -14134,18 +14156,18 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
       d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
       d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
-      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
-      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
-      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
-      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
@@ -14155,50 +14177,50 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_0_of_upper_1_right = v_y_0_of_upper_1 - upper_1,
-      v_y_0_of_upper_1_left = v_y_0_of_upper_1 - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_left_rest = upper_1 - v_y_0_of_upper_1_left,
-      v_y_0_of_upper_1_right_rest = upper_1_lo - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_lo = v_y_0_of_upper_1_left_rest + v_y_0_of_upper_1_right_rest,
-      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
+  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
+      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
+      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
+      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_1_of_upper_2_right = v_y_1_of_upper_2 - upper_2,
-      v_y_1_of_upper_2_left = v_y_1_of_upper_2 - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_left_rest = upper_2 - v_y_1_of_upper_2_left,
-      v_y_1_of_upper_2_right_rest = upper_2_lo - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_lo = v_y_1_of_upper_2_left_rest + v_y_1_of_upper_2_right_rest,
-      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
+      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
+      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
+      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
       v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
-      v_y_2_of_upper_3_right = v_y_2_of_upper_3 - upper_3,
-      v_y_2_of_upper_3_left = v_y_2_of_upper_3 - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_left_rest = upper_3 - v_y_2_of_upper_3_left,
-      v_y_2_of_upper_3_right_rest = upper_3_lo - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_lo = v_y_2_of_upper_3_left_rest + v_y_2_of_upper_3_right_rest,
-      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
+      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
+      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
+      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
       v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
@@ -14236,17 +14258,17 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half_of_upper_0 = upper_0 + upper_0_lo, half_of_upper_0_right = half_of_upper_0 - upper_0,
-      half_of_upper_0_left = half_of_upper_0 - half_of_upper_0_right,
-      half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
-      half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
-      half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_0),
+      half_of_upper_3 = upper_3 + upper_3_lo, half_of_upper_3_right = half_of_upper_3 - upper_3,
+      half_of_upper_3_left = half_of_upper_3 - half_of_upper_3_right,
+      half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
+      half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
+      half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
+      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
@@ -15009,44 +15031,44 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
@@ -15072,38 +15094,38 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;

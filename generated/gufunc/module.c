@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -74,7 +76,9 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "f38889d3b652a0aa") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "d2d2eab5b7170794") < 0
+      || PyModule_AddStringConstant(
+          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, unless an output
    is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
@@ -1530,111 +1532,111 @@ const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_copy", "(4)->(4)",
     "qo = qi.\n"
     "\n"
-    "(4)->(4).  qi, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last.\n"
     "No arithmetic.  Exact.\n",
    1, 1, quaternion_copy_loops},
   {"quaternion_scale", "(4),()->(4)",
     "self = a self.\n"
     "\n"
-    "(4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.\n"
+    "(4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.\n"
     "4 mul.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, quaternion_scale_loops},
   {"quaternion_setIdentity", "(4)->(4)",
-    "self = (1; 0).\n"
+    "self = (0; 1).\n"
     "\n"
-    "(4)->(4).  self: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
     "No arithmetic.  Exact.\n",
    1, 1, quaternion_setIdentity_loops},
   {"quaternion_conjugated", "(4)->(4)",
-    "qo = (w; -v), the inverse of q if |q| = 1.\n"
+    "qo = (-v; w), the inverse of q if |q| = 1.\n"
     "\n"
-    "(4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
     "3 neg.  Exact.\n",
    1, 1, quaternion_conjugated_loops},
   {"quaternion_norm", "(4)->()",
-    "|q| = sqrt(w^2 + v·v).\n"
+    "|q| = sqrt(v·v + w^2).\n"
     "\n"
-    "(4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.\n"
+    "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
     "9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.\n",
    1, 1, quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
-    "(4)->(4).  self: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
    1, 1, quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
-    "(4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
    1, 1, quaternion_normalized_loops},
   {"product_qq", "(4),(4)->(4)",
-    "qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).\n"
+    "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, product_qq_loops},
   {"product_qconjq", "(4),(4)->(4)",
     "qo = q1* q2, q1* the conjugate.\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
-    "16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
+    "16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
    2, 1, product_qconjq_loops},
   {"product_qqconj", "(4),(4)->(4)",
     "qo = q1 q2*, q2* the conjugate.\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
-    "16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
+    "16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
    2, 1, product_qqconj_loops},
   {"product_qv", "(4),(3)->(3)",
     "vo = R(q) v, |q| = 1.\n"
     "\n"
-    "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
+    "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
     "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, product_qv_loops},
   {"product_qconjv", "(4),(3)->(3)",
     "vo = R(q)^T v, |q| = 1.\n"
     "\n"
-    "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
+    "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
     "18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, product_qconjv_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
     "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
     "\n"
-    "(4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.\n"
+    "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
-    "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest\n"
     "component; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
-    "qo = (cos angle/2; axis sin angle/2); axis of length 1.\n"
+    "qo = (axis sin angle/2; cos angle/2); axis of length 1.\n"
     "\n"
-    "(3),()->(4).  axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.\n",
    2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
     "nothing turns; any multiple of a quaternion.\n"
     "\n"
-    "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
+    "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
     "8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=\n"
     "angle: 5 u, axis: 4 u of its largest component; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4)",
-    "qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.\n"
+    "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.\n"
     "\n"
-    "(3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.\n"
     "34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its\n"
     "largest component; searched, not proved.\n",
    1, 1, quaternion_exp_loops},
@@ -1642,14 +1644,14 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
-    "(4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.\n"
+    "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
     "11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=\n"
     "vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {"quaternion_slerp", "(4),(4),()->(4)",
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
-    "(4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.\n"
+    "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
     "76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16\n"
     "select.  Error <= qo: 12 u of its largest component; searched, not proved.\n",
    3, 1, quaternion_slerp_loops},

@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 """Spatial algebra on screws (twists) and coscrews (wrenches), linear part on top.
 
 Operations are NumPy generalized ufuncs: they broadcast over leading axes, take `out=`, keep float32
@@ -12,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "f38889d3b652a0aa")
+COMPILED: bool = is_compiled("coscrew._gufunc", "d2d2eab5b7170794")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -514,8 +516,11 @@ screw = screw_from_lin_ang
 coscrew = coscrew_from_lin_ang
 
 from coscrew._selfcheck import selfcheck
+
+__version__ = "0.1.0"
+
 __all__ = [
-    "COMPILED", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
+    "COMPILED", "__version__", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
     "vec3_copy",
     "vec3_scale",
     "vec3_inverted",

@@ -1,10 +1,13 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew import double as double, single as single
 
 COMPILED: bool
+__version__: str
 
 def selfcheck() -> list[str]: ...
 
@@ -1433,56 +1436,56 @@ def coad(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
 def quaternion_copy(qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = qi.
 
-    (4)->(4).  qi, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last.
     No arithmetic.  Exact.
     """
 
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
-    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul.  Error <= u |result|, barring over- and underflow.
     """
 
 def quaternion_setIdentity(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """self = (1; 0).
+    """self = (0; 1).
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     No arithmetic.  Exact.
     """
 
 def quaternion_conjugated(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = (w; -v), the inverse of q if |q| = 1.
+    """qo = (-v; w), the inverse of q if |q| = 1.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     3 neg.  Exact.
     """
 
 def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """|q| = sqrt(w^2 + v·v).
+    """|q| = sqrt(v·v + w^2).
 
-    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
     9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = self / |self|; zero stays zero.
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q / |q|; zero stays zero.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1490,23 +1493,23 @@ def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = 
 def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1* q2, q1* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1 q2*, q2* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q) v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1514,7 +1517,7 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ..
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q)^T v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1522,22 +1525,22 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
-    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
     component; searched, not proved.
     """
 
 def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = (cos angle/2; axis sin angle/2); axis of length 1.
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1.
 
-    (3),()->(4).  axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.
     """
 
@@ -1545,15 +1548,15 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
     nothing turns; any multiple of a quaternion.
 
-    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
 
 def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
-    (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
     34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its
     largest component; searched, not proved.
     """
@@ -1562,7 +1565,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
@@ -1570,7 +1573,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
 def quaternion_slerp(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
-    (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
     select.  Error <= qo: 12 u of its largest component; searched, not proved.
     """

@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 """Exact rounding errors, for compensated kernels.
 
 Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own

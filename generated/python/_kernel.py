@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 """Makes functions of components functions of arrays, and chooses between the precisions."""
 
 import functools
@@ -19,18 +21,24 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
     def decorate(function: Callable) -> Callable:
         name, arguments = function.__name__, tuple(inspect.signature(function).parameters)
 
-        @functools.wraps(function)
-        def on_arrays(*values, out=None):
+        def checked(values, objects=True):
+            """Leading axes together, and the arguments as arrays."""
             if len(values) != len(inputs):
                 raise TypeError(f"{name}: takes {len(inputs)} arguments ({', '.join(arguments)}); "
                                 f"got {len(values)}")
-            arrays = [_arrays.array(value, argument, core, name, dtype)
+            arrays = [_arrays.array(value, argument, core, name, objects)
                       for value, argument, core in zip(values, arguments, inputs)]
             leads = [a.shape[:a.ndim - len(core)] for a, core in zip(arrays, inputs)]
             try:
-                lead = np.broadcast_shapes(*leads)
+                return np.broadcast_shapes(*leads), arrays
             except ValueError:
                 raise ValueError(f"{name}: leading axes {leads} do not broadcast") from None
+
+        @functools.wraps(function)
+        def on_arrays(*values, out=None):
+            lead, arrays = checked(values)
+            arrays = [_arrays.cast(array, f"{name}: {argument}", dtype)
+                      for array, argument in zip(arrays, arguments)]
             found = function(*map(_arrays.components, map(widened, arrays), inputs))
             components = iter(found if isinstance(found, tuple) else (found,))
             kind = object if any(a.dtype == object for a in arrays) else dtype
@@ -48,6 +56,7 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
             delivered = tuple(_arrays.deliver(r, o, name) for r, o in zip(results, wanted))
             return delivered[0] if len(delivered) == 1 else delivered
 
+        on_arrays.checked = checked
         return on_arrays
 
     return decorate
@@ -62,10 +71,18 @@ def dispatch(module: str, *kernels: Callable) -> Callable:
     """The first kernel, except that arguments of float32 alone go to the second; for `module`."""
     wide, narrow = kernels[0], kernels[-1]
 
+    def check(*values):
+        """Raises what `on_any` does of wrong arguments."""
+        if not any(map(_arrays.overrides, values)):
+            wide.checked(values, objects=False)
+
     @functools.wraps(wide)
     def on_any(*values, out=None):
-        kinds = {np.asarray(v).dtype.type for v in values if type(v) not in (int, float)}
-        return (narrow if kinds == {np.float32} else wide)(*values, out=out)
+        _, arrays = wide.checked(values, objects=False)
+        kinds = {array.dtype.type for array, value in zip(arrays, values)
+                 if type(value) not in (int, float)}
+        return (narrow if kinds == {np.float32} else wide)(*arrays, out=out)
 
+    on_any.check = check
     on_any.__module__ = module  # where pickle finds it
     return on_any

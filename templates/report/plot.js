@@ -70,7 +70,7 @@ function names(marks, left, right, bottom) {
   });
 }
 
-// points: {x, y, name?, title, tier, precision, hollow?, data}; curves: {of: x -> y, from, to,
+// points: {x, y, low?, high?, name?, title, tier, precision, hollow?, data}; curves: {of: x -> y, from, to,
 // className, title}; fronts: lists of points to join.
 function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], small = false }) {
   const width = innerWidth < 640 ? 340 : 560, height = 350;
@@ -83,7 +83,8 @@ function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], smal
     return root;
   }
   const ends = curves.flatMap(c => [c.of(c.from), c.of(c.to)]);
-  const horizontal = logAxis(shown.map(p => p.x), left + 12, right - 12);
+  const across = shown.flatMap(p => [p.x, p.low ?? p.x, p.high ?? p.x]);
+  const horizontal = logAxis(across, left + 12, right - 12);
   const vertical = logAxis([...shown.map(p => p.y), ...ends], bottom - 8, top + 8);
   for (const value of horizontal.ticks) {
     const x = horizontal.at(value);
@@ -118,6 +119,11 @@ function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], smal
       "data-x": point.x, "data-y": point.y, "data-variant": point.variant };
     const mark = shape(point.precision, x, y, attributes, small ? 3.2 : 5.5);
     mark.append(svg("title", {}, point.title));
+    if (point.low !== undefined) {
+      root.append(svg("line", { class: `interval ${point.tier}`, "data-low": point.low,
+        "data-high": point.high, "data-variant": point.variant, x1: horizontal.at(point.low),
+        x2: horizontal.at(point.high), y1: y, y2: y }));
+    }
     root.append(mark);
   }
   root.append(...names(marks, left, right, bottom));

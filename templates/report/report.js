@@ -5,9 +5,10 @@
 function paretoPoint(entry, name) {
   const time = timeOf(entry), found = entry[state.inputs];
   const point = { x: number(time.ns), y: number(found?.worst), name, tier: entry.tier,
+    low: number(time.low), high: number(time.high),
     precision: entry.precision, hollow: time.dominated === true, variant: identity(entry) };
   point.title = `${identity(entry)}: ${formatted(point.y)} ${entry.measure}, ` +
-    `${formatted(point.x)} ns${point.hollow ? ", dominated" : ""}`;
+    `${formatted(point.x)} ns (${range(point.low, point.high)})${point.hollow ? ", dominated" : ""}`;
   return point;
 }
 
@@ -62,7 +63,8 @@ function drawTimes(entries) {
   const lines = names.map(name => element("tr", {}, element("th", { scope: "row" }, name),
     ...entries.map(e => {
       const time = e.times.find(t => timeName(t) === name);
-      return element("td", {}, time ? formatted(number(time.ns)) : "–");
+      return element("td", {}, time ?
+        `${formatted(number(time.ns))} (${range(time.low, time.high)})` : "–");
     })));
   $("times").replaceChildren(element("thead", {}, top), element("tbody", {}, ...lines));
 }

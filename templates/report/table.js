@@ -12,7 +12,7 @@ const timeName = t => [t.language, t.compiler, t.layout].filter(Boolean).join(",
 const variantName = e => `${e.precision} ${e.tier}`;
 const identity = e => `${e.operation} ${variantName(e)}`;
 const unit = e => e.measure === "u" ? " u" : "";
-const percent = v => Number.isNaN(v) ? "" : `${formatted(100 * v)} %`;
+const range = (low, high) => `${formatted(number(low))}–${formatted(number(high))}`;
 
 const state = { layout: "", inputs: "hard", precision: "", tier: "", text: "", operation: "",
                 sort: "", descending: false };
@@ -56,13 +56,15 @@ const COLUMNS = [
   { id: "hard-p999", title: "99.9 %", group: "error, hard inputs", ...error("hard", "p999") },
   { id: "hard-median", title: "median", group: "error, hard inputs", ...error("hard", "median") },
   { id: "ns", title: "ns", group: "time", value: e => number(timeOf(e).ns), text: formatted },
-  { id: "spread", title: "spread", group: "time", value: e => number(timeOf(e).spread),
-    text: percent },
+  { id: "interval", title: "interval", group: "time",
+    value: e => number(timeOf(e).high) - number(timeOf(e).low),
+    text: (v, e) => isNaN(v) ? "–" : range(timeOf(e).low, timeOf(e).high) },
   { id: "ratio", title: "to plain", group: "time", value: e => number(timeOf(e).ratio),
-    text: v => isNaN(v) ? "–" : `${formatted(v)} ×` },
+    text: (v, e) => isNaN(v) ? "–" :
+      `${formatted(v)} × (${range(timeOf(e).ratio_low, timeOf(e).ratio_high)})` },
   { id: "pareto", title: "Pareto", group: "time", className: "text pareto",
     value: e => timeOf(e).dominated ?? NaN,
-    text: v => v === true ? "○ dominated" : v === false ? "● best" : "–" },
+    text: v => v === true ? "○ dominated" : v === false ? "● undominated" : "–" },
   { id: "flops", title: "flops", group: "size", value: e => e.flops, text: String,
     hint: e => e.counts },
   { id: "bound", title: "bound", group: "proof", className: "text",

@@ -1,7 +1,7 @@
 "use strict";
 // Bodies in space, drawn on a canvas: camera, perspective, painter's order.  Knows poses and
-// shapes, not time.  Vectors are arrays of three; a pose is [x, y, z, w, i, j, k]: position, unit
-// quaternion.
+// shapes, not time.  Vectors are arrays of three; a pose is a position and a unit quaternion
+// (x, y, z, w): seven numbers.
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const plus = (a, b, k = 1) => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
@@ -10,11 +10,11 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
 const scaled = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
 const unit = a => scaled(a, 1 / Math.hypot(...a));
 
-const REST = [0, 0, 0, 1, 0, 0, 0];
+const REST = [0, 0, 0, 0, 0, 0, 1];
 
 // R(q) p + t
 function placed(pose, p) {
-  const v = [pose[4], pose[5], pose[6]], w = pose[3];
+  const v = [pose[3], pose[4], pose[5]], w = pose[6];
   const twice = scaled(cross(v, p), 2);
   return plus(plus(plus(p, twice, w), cross(v, twice)), pose);
 }

@@ -92,7 +92,7 @@ def _turns(operation: Operation, rng: np.random.Generator, angles: np.ndarray) -
         quaternions = _rounded([quaternion_exp(x) for x in vectors])[..., 0]
         if len(operation.inputs) == 1:
             return (quaternions,)
-        identity = np.tile([1.0, 0, 0, 0], (SAMPLES, 1))
+        identity = np.tile([0, 0, 0, 1.0], (SAMPLES, 1))
         return identity, quaternions, rng.uniform(0, 1, SAMPLES)
 
 

@@ -2,12 +2,12 @@
 //
 //   dynamics ROBOT.urdf free|fixed SCENE.so NAME NQ NV
 //
-// Prints lines "function,whose,minimum,median" in ns per call; both cycle through 64 random states.
+// Prints a line "function,whose,ns", the time of a call, for each in every round; all cycle through
+// 64 random states.
 #include <pinocchio/fwd.hpp>  // first: it sets limits of Boost
 
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -29,20 +29,32 @@ using Real3 = void (*)(const double *, const double *, const double *, double *)
 using Real1 = void (*)(const double *, double *);
 using Single3 = void (*)(const float *, const float *, const float *, float *);
 
-void report(const std::string &function, const char *whose, const std::function<void(int)> &call) {
-  std::vector<double> times;
+struct Timed {
+  std::string function, whose;
+  std::function<void(int)> call;
+};
+
+// In every round each of them, once through all states untimed and then four times; the first moves
+// on from round to round.
+void report(const std::vector<Timed> &all) {
   for (int round = 0; round < rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int repeat = 0; repeat < 4; ++repeat) {
-      for (int state = 0; state < states; ++state) {
-        call(state);
+    for (size_t turn = 0; turn < all.size(); ++turn) {
+      const Timed &timed = all[(round + turn) % all.size()];
+      std::chrono::steady_clock::time_point start;
+      for (int repeat = -1; repeat < 4; ++repeat) {
+        if (repeat == 0) {
+          start = std::chrono::steady_clock::now();
+        }
+        for (int state = 0; state < states; ++state) {
+          timed.call(state);
+        }
       }
+      const std::chrono::duration<double, std::nano> taken =
+          std::chrono::steady_clock::now() - start;
+      std::printf("%s,%s,%.2f\n", timed.function.c_str(), timed.whose.c_str(),
+          taken.count() / (4 * states));
     }
-    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
-    times.push_back(taken.count() / (4 * states));
   }
-  std::sort(times.begin(), times.end());
-  std::printf("%s,%s,%.1f,%.1f\n", function.c_str(), whose, times.front(), times[rounds / 2]);
 }
 
 template <typename Function>
@@ -96,32 +108,37 @@ int main(int count, char **arguments) {
   std::vector<float> short_result(static_cast<size_t>(nv) * nv);
   volatile double sink = 0;
 
+  std::vector<Timed> all;
+  const auto add = [&](const char *function, const char *whose, std::function<void(int)> call) {
+    all.push_back({function, whose, std::move(call)});
+  };
   const auto own3 = [&](const char *function) {
     const auto call = symbol<Real3>(library, name + "_" + function);
-    report(function, "double", [&, call](int i) {
+    add(function, "double", [&, call](int i) {
       call(own_q[i].data(), own_v[i].data(), own_a[i].data(), result.data());
       sink = result[0];
     });
     const auto single = symbol<Single3>(library, name + "_" + function + "f");
-    report(function, "single", [&, single](int i) {
+    add(function, "single", [&, single](int i) {
       single(single_q[i].data(), single_v[i].data(), single_a[i].data(), short_result.data());
       sink = static_cast<double>(short_result[0]);
     });
   };
   own3("inverse_dynamics");
-  report("inverse_dynamics", "pinocchio", [&](int i) {
+  add("inverse_dynamics", "pinocchio", [&](int i) {
     sink = pinocchio::rnea(model, data, q[i], v[i], a[i])[0];
   });
   own3("forward_dynamics");
-  report("forward_dynamics", "pinocchio", [&](int i) {
+  add("forward_dynamics", "pinocchio", [&](int i) {
     sink = pinocchio::aba(model, data, q[i], v[i], a[i])[0];
   });
   const auto masses = symbol<Real1>(library, name + "_mass_matrix");
-  report("mass_matrix", "double", [&](int i) {
+  add("mass_matrix", "double", [&](int i) {
     masses(own_q[i].data(), result.data());
     sink = result[0];
   });
-  report("mass_matrix", "pinocchio", [&](int i) { sink = pinocchio::crba(model, data, q[i])(0, 0); });
+  add("mass_matrix", "pinocchio", [&](int i) { sink = pinocchio::crba(model, data, q[i])(0, 0); });
+  report(all);
   (void)sink;
   return 0;
 }

@@ -9,7 +9,6 @@ import io
 import re
 import shutil
 import subprocess
-import timeit
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -18,11 +17,13 @@ import mujoco
 import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
+from tests.benchmarks.words import said
 from tests.robots import FOLDER, path_of, robot, scene_of
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.scene import Applied, Scene
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.native.timing import Timing, timed_calls
 from coscrew_codegen.program import Op
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate.load import Kernels, kernels_of
@@ -35,6 +36,7 @@ BUILD = Path(__file__).parents[2] / "build"
 DEFINED = ("BOOST_MPL_LIMIT_LIST_SIZE=30", "BOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "BOOST_FUSION_INVOKE_MAX_ARITY=12",
            "PINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", "PINOCCHIO_WITH_URDFDOM")
+SECONDS = 1.0  # of each comparison from Python
 PASSIVE = (("viscous", "d", Fraction(1, 2)), ("armature", "inertia", Fraction(1, 10)))
 FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off", "-shared", "-fPIC")
 
@@ -47,17 +49,18 @@ def main() -> None:
     print(tabulate([(name, *map(_operations, _programs(x))) for name, x in kernels.items()],
                    ("robot", *FUNCTIONS)))
     if program := _program():
-        print("\nFrom C++, ns a call, minimum; ratio: time of Pinocchio's wheel / ours in double")
+        print("\nFrom C++, ns a call, median (95 % interval) of rounds in which all take turns; "
+              "ratio: time of Pinocchio's wheel / ours in double, in the same round")
         print(tabulate([row for name, x in kernels.items() for row in _from_c(program, name, x)],
                        ("robot", "function", "compiler", "double", "single", "pinocchio", "ratio"),
-                       floatfmt=".1f"))
+                       disable_numparse=True))
     print("\nFrom Python, µs a call; ratio: time of Pinocchio's / ours")
     print(tabulate([row for name, x in kernels.items() for row in _from_python(name, x)],
-                   ("robot", "function", "ours", "pinocchio", "ratio"), floatfmt=".2f"))
+                   ("robot", "function", "ours", "pinocchio", "ratio"), disable_numparse=True))
     print("\nA step of 1 ms, µs, semi-implicit under gravity alone, linearly implicit with damping "
           "and armature, too;\nMuJoCo: mj_step without contacts")
     print(tabulate([_step(name, effects) for name in ("ur5", "panda") for effects in ((), PASSIVE)],
-                   ("robot", "effects", "ours", "mujoco", "ratio"), floatfmt=".2f"))
+                   ("robot", "effects", "ours", "mujoco", "ratio"), disable_numparse=True))
 
 
 def _programs(x: Kernels):
@@ -102,11 +105,15 @@ def _from_c(program: Path, name: str, x: Kernels):
         printed = subprocess.run(
             [program, path_of(file), "free" if free else "fixed", library, name,
              str(x.functions.nq), str(x.functions.nv)], check=True, capture_output=True, text=True)
-        times = {(f, whose): float(low)
-                 for f, whose, low, _ in csv.reader(io.StringIO(printed.stdout))}
+        rounds: dict[tuple[str, str], list[float]] = {}
+        for f, whose, ns in csv.reader(io.StringIO(printed.stdout)):
+            rounds.setdefault((f, whose), []).append(float(ns))
+        times = {key: Timing(np.array(found)) for key, found in rounds.items()}
         for f in FUNCTIONS:
-            ours, theirs = times[f, "double"], times[f, "pinocchio"]
-            yield name, f, compiler, ours, times.get((f, "single")), theirs, theirs / ours
+            ours, single, theirs = (times.get((f, whose))
+                                    for whose in ("double", "single", "pinocchio"))
+            yield (name, f, compiler, said(ours.time), said(single.time) if single else "",
+                   said(theirs.time), said(theirs.ratio(ours)))
 
 
 def _from_python(name: str, x: Kernels):
@@ -123,12 +130,8 @@ def _from_python(name: str, x: Kernels):
                              lambda: pin.aba(model, data, theirs_q, v, a)),
         "mass_matrix": (lambda: double.mass_matrix(q), lambda: pin.crba(model, data, theirs_q))}
     for f, (ours, theirs) in pairs.items():
-        times = [_microseconds(call) for call in (ours, theirs)]
-        yield name, f, *times, times[1] / times[0]
-
-
-def _microseconds(call, number: int = 2000) -> float:
-    return min(timeit.repeat(call, number=number, repeat=20)) / number * 1e6
+        own, other = timed_calls((ours, theirs), 1e9 * SECONDS)
+        yield name, f, said(own.time, 1e-3), said(other.time, 1e-3), said(other.ratio(own))
 
 
 def _step(name: str, effects: tuple[tuple[str, str, Fraction], ...]):
@@ -141,15 +144,19 @@ def _step(name: str, effects: tuple[tuple[str, str, Fraction], ...]):
     model.dof_frictionloss[:], model.jnt_limited[:] = 0, 0
     data = mujoco.MjData(model)
     steps, count = 1000, 100
-    theirs = min(timeit.repeat(lambda: mujoco.mj_step(model, data, steps),
-                               lambda: mujoco.mj_resetData(model, data), number=1, repeat=20))
     x = kernels_of(derive(_with(name, effects)))
     q = np.tile(np.array(x.functions.neutral), (count, 1))
     v = np.zeros((count, x.functions.nv))
     step = x.double.step_linear_implicit_euler if effects else x.double.step_semi_implicit_euler
-    ours = min(timeit.repeat(lambda: step(1e-3, q, v), number=10, repeat=50)) / 10 / count
+
+    def their_steps() -> None:
+        mujoco.mj_resetData(model, data)
+        mujoco.mj_step(model, data, steps)
+
+    timings = timed_calls((lambda: step(1e-3, q, v), their_steps), 1e9 * SECONDS)
+    ours, theirs = (Timing(x.rounds / n) for x, n in zip(timings, (count, steps), strict=True))
     names = ", ".join(("gravity", *(effect for effect, _, _ in effects)))
-    return name, names, ours * 1e6, theirs / steps * 1e6, theirs / steps / ours
+    return name, names, said(ours.time, 1e-3), said(theirs.time, 1e-3), said(theirs.ratio(ours))
 
 
 def _with(name: str, effects: tuple[tuple[str, str, Fraction], ...]) -> Scene:

@@ -1,43 +1,61 @@
-"""Header kernels in a loop over arrays of structs against out-of-line calls of a static library."""
+"""Header kernels in a loop over arrays of structs against out-of-line calls of a library."""
 
-import csv
-import io
+import ctypes
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 from tabulate import tabulate
+
+from coscrew_codegen.native.buffers import aligned
+from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
+from coscrew_codegen.targets.precision import PRECISIONS
+from tests.benchmarks.words import said
 
 HERE = Path(__file__).parent
 INCLUDE = HERE.parents[1] / "generated" / "c" / "include"
 FLAGS = ("-O3", "-O3 -march=native")
+OPERATIONS = {"CoAdc_one_D": "product_CoAdc, one D", "CoAdc_D_each": "product_CoAdc, D each",
+              "CoAdinvc_one_D": "product_CoAdinvc, one D", "cross_sc": "cross_sc",
+              "axpy_cc": "axpy_cc"}
+WAYS = ("header", "one", "composed")
+COUNT = 256
+SECONDS = 0.2  # of each operation and precision
 
 
-def build(compiler: str, flags: str, folder: Path) -> Path:
-    """The benchmark program, its baseline compiled apart and without link-time optimisation."""
-    common = [compiler, "-std=c11", "-ffp-contract=off", *flags.split(), "-I", str(INCLUDE)]
-    objects = []
+def build(compiler: str, flags: str, folder: Path) -> ctypes.CDLL:
+    """The loops, and the functions they call: compiled apart, without link-time optimisation, and
+    called as those of a static library are (hidden: not through a table)."""
+    common = [compiler, "-std=c11", "-ffp-contract=off", *flags.split(), "-fPIC",
+              "-fvisibility=hidden", "-I", str(INCLUDE)]
+    (folder / "driver.c").write_text(driver(), encoding="utf-8")
+    subprocess.run([compiler, "-std=c11", "-O3", "-fPIC", "-c", "driver.c", "-o", "driver.o"],
+                   cwd=folder, check=True)
+    objects = ["driver.o"]
     for name in ("out_of_line_vectors", "out_of_line_coscrews", "header_kernels"):
-        objects.append(str(folder / f"{name}.o"))
-        subprocess.run([*common, "-c", str(HERE / f"{name}.c"), "-o", objects[-1]], check=True)
-    library = str(folder / "libbaseline.a")
-    Path(library).unlink(missing_ok=True)
-    subprocess.run(["ar", "rcs", library, *objects[:2]], check=True)
-    program = folder / "header_kernels"
-    subprocess.run([compiler, objects[2], library, "-o", str(program), "-lm"], check=True)
-    return program
+        objects.append(f"{name}.o")
+        subprocess.run([*common, "-c", str(HERE / f"{name}.c"), "-o", objects[-1]], cwd=folder,
+                       check=True)
+    path = folder / f"{compiler}{FLAGS.index(flags)}.so"
+    subprocess.run([compiler, "-shared", *objects, "-o", str(path), "-lm"], cwd=folder, check=True)
+    return ctypes.CDLL(str(path))
 
 
-def measure(program: Path) -> dict[tuple[str, str], dict[str, tuple[float, float]]]:
-    """{(operation, precision): {variant: (minimum, median)}} in ns per call."""
-    rows = csv.reader(io.StringIO(subprocess.run([str(program)], check=True, capture_output=True,
-                                                 text=True).stdout.replace(", ", "; ")))
-    found: dict[tuple[str, str], dict[str, tuple[float, float]]] = {}
-    for operation, precision, variant, minimum, median in rows:
-        found.setdefault((operation.replace("; ", ", "), precision), {})[variant] = (
-            float(minimum), float(median))
-    return found
+def measure(library: ctypes.CDLL) -> Iterator[tuple[str, ...]]:
+    """A line for each operation and precision: the times, and baselines' over the header's."""
+    rng = np.random.default_rng(3)
+    for precision in PRECISIONS:
+        arrays = [aligned(rng.uniform(-1, 1, (COUNT, size)).astype(precision.numpy_type))
+                  for size in (12, 6, 6, 6)]
+        for name, words in OPERATIONS.items():
+            loops = [Loop(getattr(library, f"loop_{way}_{name}{precision.suffix}"), COUNT,
+                          pointers(arrays)) for way in WAYS]
+            header, one, composed = timed_loops(library, loops, 1e9 * SECONDS)
+            yield (words, precision.name, *(said(x.time) for x in (header, one, composed)),
+                   said(one.ratio(header)), said(composed.ratio(header)))
 
 
 def main() -> None:
@@ -45,17 +63,12 @@ def main() -> None:
     for compiler in filter(shutil.which, ("gcc", "clang")):
         for flags in FLAGS:
             with tempfile.TemporaryDirectory() as folder:
-                found = measure(build(compiler, flags, Path(folder)))
-            rows = [(operation, precision, header[0], f"{header[1] / header[0] - 1:.0%}",
-                     one[0], composed[0], one[0] / header[0], composed[0] / header[0])
-                    for (operation, precision), variants in found.items()
-                    for header, one, composed in [(variants["header"], variants["one call"],
-                                                   variants["composed calls"])]]
-            print(f"\n{compiler} {flags}: ns per call, minimum of many; spread is median over "
-                  "minimum; ratios are baseline / header")
-            print(tabulate(rows, ("operation", "precision", "header", "spread", "one call",
+                rows = list(measure(build(compiler, flags, Path(folder))))
+            print(f"\n{compiler} {flags}: ns per call over {COUNT} aligned structs; median (95 % "
+                  "interval) of rounds in which the three take turns; ratios in the same round")
+            print(tabulate(rows, ("operation", "precision", "header", "one call",
                                   "composed calls", "one/header", "composed/header"),
-                           floatfmt=".2f"))
+                           disable_numparse=True))
 
 
 if __name__ == "__main__":

@@ -42,12 +42,12 @@ def _by_row(function: Function) -> Function:
     return lambda *inputs: np.array([function(*row) for row in zip(*inputs, strict=True)])
 
 
-def _last_first(q: np.ndarray) -> np.ndarray:
+def _scalar_first(q: np.ndarray) -> np.ndarray:
     """Quaternions (x, y, z, w) as (w, x, y, z)."""
     return np.roll(q, 1, axis=-1)
 
 
-def _first_last(q: np.ndarray) -> np.ndarray:
+def _scalar_last(q: np.ndarray) -> np.ndarray:
     return np.roll(q, -1, axis=-1)
 
 
@@ -78,18 +78,18 @@ def _scipy(scipy: ModuleType) -> dict[str, Function]:
     Rotation, Slerp = transform.Rotation, transform.Slerp
 
     def slerp(p: np.ndarray, q: np.ndarray, k: float) -> np.ndarray:
-        ends = Rotation.from_quat(_first_last(np.array([p, q])))
-        return _last_first(Slerp([0, 1], ends)(k).as_quat())
+        ends = Rotation.from_quat([p, q])
+        return Slerp([0, 1], ends)(k).as_quat()
 
     functions = {
         "vec3_l2norm": _by_row(linalg.norm),
         "vec3_normalized": _by_row(lambda v: v / linalg.norm(v)),
         "SO3_exp": lambda v: Rotation.from_rotvec(v).as_matrix(),
         "SO3_log": lambda R: Rotation.from_matrix(R).as_rotvec(),
-        "quaternion_exp": lambda v: _last_first(Rotation.from_rotvec(v).as_quat()),
-        "quaternion_log": lambda q: Rotation.from_quat(_first_last(q)).as_rotvec(),
-        "mat3x3_from_quaternion": lambda q: Rotation.from_quat(_first_last(q)).as_matrix(),
-        "quaternion_from_mat3x3": lambda R: _last_first(Rotation.from_matrix(R).as_quat()),
+        "quaternion_exp": lambda v: Rotation.from_rotvec(v).as_quat(),
+        "quaternion_log": lambda q: Rotation.from_quat(q).as_rotvec(),
+        "mat3x3_from_quaternion": lambda q: Rotation.from_quat(q).as_matrix(),
+        "quaternion_from_mat3x3": lambda R: Rotation.from_matrix(R).as_quat(),
         "quaternion_slerp": _by_row(slerp)}
     if hasattr(transform, "RigidTransform"):
         rigid = transform.RigidTransform
@@ -111,14 +111,14 @@ def _pinocchio(pin: ModuleType) -> dict[str, Function]:
             lambda s: pin.Jexp6(pin.Motion(s))),
         "SO3_rightJacobianInverse": _by_row(lambda v: pin.Jlog3(pin.exp3(v))),
         "SE3_rightJacobianInverse": _by_row(lambda s: pin.Jlog6(pin.exp6(pin.Motion(s)))),
-        "quaternion_exp": _by_row(lambda v: _last_first(np.array(pin.exp3_quat(v)))),
+        "quaternion_exp": _by_row(lambda v: np.array(pin.exp3_quat(v))),
         "SE3_exp": _by_row(lambda s: pin.exp6(pin.Motion(s)).homogeneous[:3]),
         "SE3_log": _by_row(lambda D: pin.log6(displaced(D)).vector),
         "mat3x3_from_quaternion": _by_row(
-            lambda q: pin.Quaternion(_first_last(q)).toRotationMatrix()),
-        "quaternion_from_mat3x3": _by_row(lambda R: _last_first(pin.Quaternion(R).coeffs())),
-        "quaternion_slerp": _by_row(lambda p, q, k: _last_first(pin.Quaternion(
-            _first_last(p)).slerp(float(k), pin.Quaternion(_first_last(q))).coeffs()))}
+            lambda q: pin.Quaternion(q).toRotationMatrix()),
+        "quaternion_from_mat3x3": _by_row(lambda R: pin.Quaternion(R).coeffs()),
+        "quaternion_slerp": _by_row(lambda p, q, k: pin.Quaternion(p).slerp(
+            float(k), pin.Quaternion(q)).coeffs()))}
 
 
 def _spatialmath(base: ModuleType) -> dict[str, Function]:
@@ -127,9 +127,10 @@ def _spatialmath(base: ModuleType) -> dict[str, Function]:
         "SO3_log": _by_row(lambda R: base.trlog(R, check=False, twist=True)),
         "SE3_exp": _by_row(lambda s: base.trexp(s)[:3]),
         "SE3_log": _by_row(lambda T: base.trlog(_homogeneous(T), check=False, twist=True)),
-        "mat3x3_from_quaternion": _by_row(base.q2r),
-        "quaternion_from_mat3x3": _by_row(lambda R: base.r2q(R, check=False)),
-        "quaternion_slerp": _by_row(lambda p, q, k: base.qslerp(p, q, k, shortest=True))}
+        "mat3x3_from_quaternion": _by_row(lambda q: base.q2r(_scalar_first(q))),
+        "quaternion_from_mat3x3": _by_row(lambda R: _scalar_last(base.r2q(R, check=False))),
+        "quaternion_slerp": _by_row(lambda p, q, k: _scalar_last(base.qslerp(
+            _scalar_first(p), _scalar_first(q), k, shortest=True)))}
 
 
 def _jaxlie(jaxlie: ModuleType) -> dict[str, Function]:
@@ -142,13 +143,19 @@ def _jaxlie(jaxlie: ModuleType) -> dict[str, Function]:
         mapped = jax.jit(jax.vmap(function))
         return lambda *inputs: np.asarray(mapped(*inputs))
 
+    def scalar_first(q: object) -> object:
+        return jax.numpy.roll(q, 1)
+
+    def scalar_last(q: object) -> object:
+        return jax.numpy.roll(q, -1)
+
     return {
         "SO3_exp": rows(lambda v: SO3.exp(v).as_matrix()),
         "SO3_log": rows(lambda R: SO3.from_matrix(R).log()),
-        "quaternion_exp": rows(lambda v: SO3.exp(v).wxyz),
-        "quaternion_log": rows(lambda q: SO3(q).log()),
-        "mat3x3_from_quaternion": rows(lambda q: SO3(q).as_matrix()),
-        "quaternion_from_mat3x3": rows(lambda R: SO3.from_matrix(R).wxyz),
+        "quaternion_exp": rows(lambda v: scalar_last(SO3.exp(v).wxyz)),
+        "quaternion_log": rows(lambda q: SO3(scalar_first(q)).log()),
+        "mat3x3_from_quaternion": rows(lambda q: SO3(scalar_first(q)).as_matrix()),
+        "quaternion_from_mat3x3": rows(lambda R: scalar_last(SO3.from_matrix(R).wxyz)),
         "SO3_rightJacobianInverse": rows(lambda v: SO3.exp(v).jlog()),
         "SE3_rightJacobianInverse": rows(lambda s: SE3.exp(s).jlog()),
         "SE3_exp": rows(lambda s: SE3.exp(s).as_matrix()[:3]),

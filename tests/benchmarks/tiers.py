@@ -1,42 +1,49 @@
-"""What accuracy costs in time: the tiers on structures of arrays in the first-level cache."""
+"""What accuracy costs in time: the tiers on structures of arrays in the first-level cache.
 
-import csv
-import io
-import shutil
-import subprocess
+The loops, the buffers and the rounds are those of `coscrew report`.
+"""
+
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 from tabulate import tabulate
 
-HERE = Path(__file__).parent
-INCLUDE = HERE.parents[1] / "generated" / "c" / "include"
-FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off")
+from coscrew_codegen.report import inputs
+from coscrew_codegen.report.c_text import Variant
+from coscrew_codegen.report.native import Library, compilers, libraries
+from coscrew_codegen.report.timing import contests
+from coscrew_codegen.report.variants import variants_of
+from coscrew_codegen.selection import operations_named
+from coscrew_codegen.targets.precision import PRECISIONS
+from tests.benchmarks.words import said
+
+NAMES = ("product_CoAdc", "cross_sc", "dot_cs")
+SECONDS = 0.5  # of each operation and precision
 
 
-def measure(compiler: str) -> dict[tuple[str, str], dict[str, tuple[float, float]]]:
-    """{(operation, precision): {tier: (minimum, median)}} in ns per element."""
-    with tempfile.TemporaryDirectory() as folder:
-        program = Path(folder) / "tiers"
-        subprocess.run([compiler, *FLAGS, "-I", str(INCLUDE), str(HERE / "tiers.c"), "-o",
-                        str(program), "-lm"], check=True)
-        printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
-    found: dict[tuple[str, str], dict[str, tuple[float, float]]] = {}
-    for operation, precision, tier, minimum, median in csv.reader(io.StringIO(printed)):
-        found.setdefault((operation, precision), {})[tier] = (float(minimum), float(median))
-    return found
+def rows(library: Library, variants: list[Variant]) -> Iterator[tuple[str, ...]]:
+    """A line for each variant: time, and ratio to plain in the same round."""
+    for rivals in contests(variants):
+        drawn = [inputs.split(v.operation, inputs.benign(v.operation, v.precision, v.elements, 1))
+                 for v in rivals]
+        timings = library.times(rivals, "planes", drawn, 1e9 * SECONDS)
+        for v, timing in zip(rivals, timings, strict=True):
+            yield (v.operation.name, v.precision.name, v.tier, said(timing.time),
+                   f"{timing.minimum:.3g}", said(timing.ratio(timings[0])))
 
 
 def main() -> None:
     """Print one table per compiler."""
-    for compiler in filter(shutil.which, ("gcc", "clang")):
-        rows = [(*key, tier, minimum, f"{median / minimum - 1:.0%}", minimum / tiers["plain"][0])
-                for key, tiers in measure(compiler).items()
-                for tier, (minimum, median) in tiers.items()]
-        print(f"\n{compiler} {' '.join(FLAGS)}: ns per element, minimum of many; spread is median "
-              "over minimum; ratio is time / plain's")
-        print(tabulate(rows, ("operation", "precision", "tier", "ns", "spread", "ratio"),
-                       floatfmt=".2f"))
+    variants = [v for operation in operations_named(list(NAMES)) for precision in PRECISIONS
+                for v in variants_of(operation, precision)]
+    with tempfile.TemporaryDirectory() as folder:
+        for library in libraries(variants, compilers(Path(folder)), Path(folder)):
+            print(f"\n{library.compiler.name} {library.compiler.flags}: ns per element, every "
+                  "component a plane, aligned to 64 bytes; median (95 % interval) of rounds in "
+                  "which the tiers take turns; ratio: to plain in the same round")
+            print(tabulate(rows(library, variants), ("operation", "precision", "tier", "ns",
+                                                     "minimum", "ratio"), disable_numparse=True))
 
 
 if __name__ == "__main__":

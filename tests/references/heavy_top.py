@@ -5,7 +5,7 @@ J1 = J3 = 15.234375 and J2 = 0.46875 kg m² about the point, g = 9.81 m/s² alon
 its axis level and ω = (0, 150, -4.61538) rad/s.  With n its axis and L its angular momentum in
 space, ω2 is constant,
 
-n' = L × n / J1, L' = m g l e_z × n, r' = (0; L / J1) r / 2,
+n' = L × n / J1, L' = m g l e_z × n, r' = (L / J1; 0) r / 2,
 
 and the top's attitude is r exp(y β t / 2), β = ω2 (1 - J2/J1): the frame r does not see the spin,
 so that everything that is integrated is slow, and a product of two series.
@@ -33,7 +33,7 @@ def figures() -> Iterator[Figure]:
     J1, J2, spin = J[0] + mpf(MASS) * mpf(LENGTH)**2, J[1], mpf(START[1])
     torque = mpf(MASS) * mpf(GRAVITY) * mpf(LENGTH)
     momentum = (J1 * mpf(START[0]), J2 * spin, J1 * mpf(START[2]))
-    state = [mpf(x) for x in (0, 1, 0, *momentum, 1, 0, 0, 0)]
+    state = [mpf(x) for x in (0, 1, 0, *momentum, 0, 0, 0, 1)]
     t, beta = mpf(0), spin * (1 - J2 / J1)
     for time in TIMES:
         while t < mpf(time):
@@ -41,7 +41,7 @@ def figures() -> Iterator[Figure]:
             state, t = _moved(state, h, J1, torque), t + h
         n, L = state[:3], state[3:6]
         half = beta * t / 2
-        q = _quaternions(state[6:], [mp.cos(half), mpf(0), mp.sin(half), mpf(0)])
+        q = _quaternions(state[6:], [mpf(0), mp.sin(half), mpf(0), mp.cos(half)])
         rate = [x / J1 + spin * (1 - J2 / J1) * y for x, y in zip(L, n, strict=True)]
         for name, values in (("q.j0", q), ("v.j0", _in_body(q, rate)), ("n", n)):
             for i, value in enumerate(values):
@@ -54,7 +54,7 @@ def _moved(state: list[mpf], h: mpf, J1: mpf, torque: mpf) -> list[mpf]:
     n, L, r = s[:3], s[3:6], s[6:]
     for order in range(_ORDER):
         pull = (-torque * n[1][order], torque * n[0][order], mpf(0))
-        turn = [x / (2 * J1) for x in _products([[mpf(0)] * (order + 1), *L], r, order)]
+        turn = [x / (2 * J1) for x in _products([*L, [mpf(0)] * (order + 1)], r, order)]
         new = [*(x / J1 for x in _crossed(L, n, order)), *pull, *turn]
         for series, x in zip(s, new, strict=True):
             series.append(x / (order + 1))
@@ -71,10 +71,10 @@ def _crossed(a: list[Series], b: list[Series], order: int) -> list[mpf]:
 
 
 def _products(a: list[Series], b: list[Series], order: int) -> list[mpf]:
-    """The quaternion product a b."""
+    """The quaternion product a b, both (x, y, z, w)."""
     p = [[_product(x, y, order) for y in b] for x in a]
-    return [p[0][0] - p[1][1] - p[2][2] - p[3][3], p[0][1] + p[1][0] + p[2][3] - p[3][2],
-            p[0][2] + p[2][0] + p[3][1] - p[1][3], p[0][3] + p[3][0] + p[1][2] - p[2][1]]
+    return [p[3][0] + p[0][3] + p[1][2] - p[2][1], p[3][1] + p[1][3] + p[2][0] - p[0][2],
+            p[3][2] + p[2][3] + p[0][1] - p[1][0], p[3][3] - p[0][0] - p[1][1] - p[2][2]]
 
 
 def _quaternions(a: list[mpf], b: list[mpf]) -> list[mpf]:
@@ -82,9 +82,9 @@ def _quaternions(a: list[mpf], b: list[mpf]) -> list[mpf]:
 
 
 def _in_body(q: list[mpf], v: list[mpf]) -> list[mpf]:
-    """q* (0; v) q, |q| = 1."""
-    conjugate = [q[0], -q[1], -q[2], -q[3]]
-    return _quaternions(_quaternions(conjugate, [mpf(0), *v]), q)[1:]
+    """q* (v; 0) q, |q| = 1."""
+    conjugate = [-q[0], -q[1], -q[2], q[3]]
+    return _quaternions(_quaternions(conjugate, [*v, mpf(0)]), q)[:3]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Robots of example scenes with Pinocchio's dynamics, and effects written by hand.
 
-Reads the scenes' TOML itself.  Of a free base, y holds position and quaternion (scalar last), then
+Reads the scenes' TOML itself.  Of a free base, y holds position and quaternion (x, y, z, w), then
 the joints' angles, then speeds in Pinocchio's order, which is the scenes'.
 """
 
@@ -65,8 +65,7 @@ class Robot:
         q = [float(given["q"].get(x, 0)) for x in self.joints]
         v = [float(given.get("v", {}).get(x, 0)) for x in self.joints]
         if self.free:
-            x, y, z, w, *xyz = given["q"]["base"]
-            q, v = [x, y, z, *xyz, w, *q], [*given["v"]["base"], *v]
+            q, v = [*given["q"]["base"], *q], [*given["v"]["base"], *v]
         return np.array([*q, *v], float)
 
     def split(self, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -95,7 +94,7 @@ class Robot:
         q, v = self.split(y)
         moved = v[self.first:]
         if self.free:
-            R = pin.Quaternion(*q[[6, 3, 4, 5]]).matrix()
+            R = pin.Quaternion(q[3:7]).matrix()
             w, turn = y[6], y[3:6]
             moved = np.concatenate((R @ v[:3], (w * v[3:6] + np.cross(turn, v[3:6])) / 2,
                                     [-turn @ v[3:6] / 2], moved))
@@ -123,7 +122,7 @@ def figures(robot: Robot, joints: tuple[str, ...], reaction: str, times: tuple[f
         q, v = robot.split(y)
         named = {}
         if robot.free:
-            named = {f"q.base.{i}": x for i, x in enumerate(q[[0, 1, 2, 6, 3, 4, 5]])}
+            named = {f"q.base.{i}": x for i, x in enumerate(q[:7])}
             named |= {f"v.base.{i}": x for i, x in enumerate(v[:6])}
         for joint in joints:
             place = robot.joints.index(joint)

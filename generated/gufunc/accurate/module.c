@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.accurate._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -18,7 +20,7 @@ static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && getenv("COSCREW_BASELINE") == NULL) {
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
 #endif
@@ -73,7 +75,9 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "15279f5960211343") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "80836f6a3c4f2d31") < 0
+      || PyModule_AddStringConstant(
+          module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);
     return NULL;
   }

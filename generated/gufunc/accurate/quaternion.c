@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, unless an output
    is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
@@ -1052,76 +1054,76 @@ const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_scale", "(4),()->(4)",
     "self = a self.\n"
     "\n"
-    "(4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.\n"
+    "(4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.\n"
     "4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, quaternion_scale_loops},
   {"quaternion_norm", "(4)->()",
-    "|q| = sqrt(w^2 + v·v).\n"
+    "|q| = sqrt(v·v + w^2).\n"
     "\n"
-    "(4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.\n"
+    "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
     "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10\n"
     "select.\n",
    1, 1, quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
-    "(4)->(4).  self: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
     "33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18\n"
     "select.\n",
    1, 1, quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
-    "(4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
     "33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18\n"
     "select.\n",
    1, 1, quaternion_normalized_loops},
   {"product_qq", "(4),(4)->(4)",
-    "qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).\n"
+    "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
     "16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qq_loops},
   {"product_qconjq", "(4),(4)->(4)",
     "qo = q1* q2, q1* the conjugate.\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
-    "16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
+    "16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qconjq_loops},
   {"product_qqconj", "(4),(4)->(4)",
     "qo = q1 q2*, q2* the conjugate.\n"
     "\n"
-    "(4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.\n"
-    "16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of\n"
+    "(4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.\n"
+    "16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qqconj_loops},
   {"product_qv", "(4),(3)->(3)",
     "vo = R(q) v, |q| = 1.\n"
     "\n"
-    "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
+    "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
+    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qv_loops},
   {"product_qconjv", "(4),(3)->(3)",
     "vo = R(q)^T v, |q| = 1.\n"
     "\n"
-    "(4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.\n"
-    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
+    "(4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.\n"
+    "30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
    2, 1, product_qconjv_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
     "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
     "\n"
-    "(4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.\n"
+    "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5\n"
     "u of its largest component; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
-    "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.\n"
+    "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.  Error <= qo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
@@ -1129,7 +1131,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
     "nothing turns; any multiple of a quaternion.\n"
     "\n"
-    "(4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.\n"
+    "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
     "23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
     "less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;\n"
     "searched, not proved.\n",
@@ -1138,7 +1140,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
-    "(4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.\n"
+    "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
     "25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
     "less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},

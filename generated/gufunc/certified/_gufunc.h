@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* What the gufunc sources share: reading and writing quantities through strides. */
 #ifndef COSCREW_GUFUNC_H
 #define COSCREW_GUFUNC_H
@@ -13,7 +15,8 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
-/* On x86-64 every loop is compiled twice, also for AVX2; the processor decides, the bits agree. */
+/* On x86-64 every loop is compiled twice, also for AVX2; the processor decides, the bits
+   agree. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_HAS_AVX2 1
 #else
@@ -23,7 +26,7 @@
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #elif defined(COSCREW_FOR_AVX2)
-#pragma GCC target("avx2,no-fma,no-avx512f") /* gcc's vectoriser fuses in spite of its flag */
+#pragma GCC target("avx2,no-fma,no-avx512f")
 #elif COSCREW_HAS_AVX2 && !defined(__clang__)
 #pragma GCC target("no-fma,no-avx512f")
 #endif
@@ -575,37 +578,37 @@ INLINED void store_mat6x6_single(
 INLINED void load_quaternion_double(
     ksl_quaternion_t *x, const char *p, const npy_intp *s) {
   (void)s;
-  x->w = *(const double *)(p);
-  x->x = *(const double *)(p + 1 * s[0]);
-  x->y = *(const double *)(p + 2 * s[0]);
-  x->z = *(const double *)(p + 3 * s[0]);
+  x->x = *(const double *)(p);
+  x->y = *(const double *)(p + 1 * s[0]);
+  x->z = *(const double *)(p + 2 * s[0]);
+  x->w = *(const double *)(p + 3 * s[0]);
 }
 
 INLINED void store_quaternion_double(
     const ksl_quaternion_t *x, char *p, const npy_intp *s) {
   (void)s;
-  *(double *)(p) = x->w;
-  *(double *)(p + 1 * s[0]) = x->x;
-  *(double *)(p + 2 * s[0]) = x->y;
-  *(double *)(p + 3 * s[0]) = x->z;
+  *(double *)(p) = x->x;
+  *(double *)(p + 1 * s[0]) = x->y;
+  *(double *)(p + 2 * s[0]) = x->z;
+  *(double *)(p + 3 * s[0]) = x->w;
 }
 
 INLINED void load_quaternion_single(
     ksl_quaternionf_t *x, const char *p, const npy_intp *s) {
   (void)s;
-  x->w = *(const float *)(p);
-  x->x = *(const float *)(p + 1 * s[0]);
-  x->y = *(const float *)(p + 2 * s[0]);
-  x->z = *(const float *)(p + 3 * s[0]);
+  x->x = *(const float *)(p);
+  x->y = *(const float *)(p + 1 * s[0]);
+  x->z = *(const float *)(p + 2 * s[0]);
+  x->w = *(const float *)(p + 3 * s[0]);
 }
 
 INLINED void store_quaternion_single(
     const ksl_quaternionf_t *x, char *p, const npy_intp *s) {
   (void)s;
-  *(float *)(p) = x->w;
-  *(float *)(p + 1 * s[0]) = x->x;
-  *(float *)(p + 2 * s[0]) = x->y;
-  *(float *)(p + 3 * s[0]) = x->z;
+  *(float *)(p) = x->x;
+  *(float *)(p + 1 * s[0]) = x->y;
+  *(float *)(p + 2 * s[0]) = x->z;
+  *(float *)(p + 3 * s[0]) = x->w;
 }
 
 INLINED void load_inertia_double(

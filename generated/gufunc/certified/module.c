@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.certified._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -72,7 +74,9 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "320b72fa83a99156") < 0) {
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "3df6b385562277a8") < 0
+      || PyModule_AddStringConstant(
+          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);
     return NULL;
   }

@@ -1,15 +1,35 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Which loop NumPy takes for arguments of other types than those the loops have. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Which loop NumPy takes for arguments of other types than those the loops have, and which it
+   refuses. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
-/* float32 stays float32, also beside Python's int and float; other mixtures become float64. */
+/* Whether arguments of this type are taken: of wider types float64 would lose digits, float16 is no
+   precision of these kernels, and bool is no number. */
+static int is_taken(const PyArray_DTypeMeta *dtype) {
+  return dtype == &PyArray_DoubleDType || dtype == &PyArray_FloatDType
+      || dtype == &PyArray_PyLongDType || dtype == &PyArray_PyFloatDType
+      || PyTypeNum_ISINTEGER(dtype->type_num);
+}
+
+/* float32 stays float32, also beside Python's int and float; other mixtures with integers become
+   float64; other types are refused unless the call says what to compute in (dtype=, signature=). */
 static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
     PyArray_DTypeMeta *const signature[], PyArray_DTypeMeta *chosen[]) {
   const int inputs = ((PyUFuncObject *)ufunc)->nin, arguments = ((PyUFuncObject *)ufunc)->nargs;
-  int single = 0, other = 0;
+  int single = 0, other = 0, asked = 0;
+  for (int k = 0; k < arguments; k++) {
+    asked |= signature[k] != NULL;
+  }
   for (int k = 0; k < inputs; k++) {
+    if (!asked && !is_taken(given[k])) {
+      PyErr_Format(PyExc_TypeError, "%s: argument %d has dtype %R; wanted float64, float32 or integers",
+          ((PyUFuncObject *)ufunc)->name, k + 1, (PyObject *)given[k]);
+      return -1;
+    }
     const int python_number = given[k] == &PyArray_PyLongDType || given[k] == &PyArray_PyFloatDType;
     single += given[k] == &PyArray_FloatDType;
     other += given[k] != &PyArray_FloatDType && !python_number;
@@ -25,7 +45,56 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
   return 0;
 }
 
+/* Raises what the function without compilation says of these arguments; leaves the error that is set
+   where it has nothing to say. */
+static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
+  PyObject *type, *value, *trace;
+  PyErr_Fetch(&type, &value, &trace);
+  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='certified', title='Certified tier: plain results, and bounds of their errors that hold.', header='ksl_types', double=functools.partial(<function certified at 0x7f7fbf3d3920>, number=Format(digits=53, least_exponent=-1022)), single=functools.partial(<function certified at 0x7f7fbf3d3920>, number=Format(digits=24, least_exponent=-126)), operation=<function certified_operation at 0x7f7fbf3d3a60>, in_words="The certified tier: every operation returns the plain result, bit for bit, and a bound of each\ncomponent's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the\nbound is infinite or NaN, something overflowed, and it says nothing.", operations=frozenset({<Op.NEG: 'neg'>, <Op.SUB: 'sub'>, <Op.ADD: 'add'>, <Op.MUL: 'mul'>}))._dispatch");
+  PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
+  PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
+  PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);
+  if (passed != NULL) {
+    PyErr_Restore(type, value, trace);
+  } else {
+    Py_XDECREF(type);
+    Py_XDECREF(value);
+    Py_XDECREF(trace);
+  }
+  Py_XDECREF(passed);
+  Py_XDECREF(check);
+  Py_XDECREF(twin);
+  Py_XDECREF(module);
+}
+
+static vectorcallfunc call_of_numpy;
+
+/* What a call of a gufunc comes to: NumPy's, but that masked arrays are refused, whose masks it does
+   not see, and that errors name the argument. */
+static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
+  const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
+  const size_t count = (size_t)PyVectorcall_NARGS(flags);
+  const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
+  for (size_t k = 0; k < inputs; k++) {
+    if (!PyArray_CheckExact(given[k]) && PyArray_Check(given[k])
+        && PyObject_HasAttrString((PyObject *)Py_TYPE(given[k]), "mask")) {
+      explain(ufunc, given, inputs);
+      if (PyErr_Occurred()) {
+        return NULL;
+      }
+    }
+  }
+  PyObject *result = call_of_numpy(self, given, flags, names);
+  if (result == NULL && PyErr_ExceptionMatches(PyExc_Exception)) {
+    explain(ufunc, given, inputs);
+  }
+  return result;
+}
+
+/* The promoter for whatever types no loop has, and the call. */
 int coscrew_add_promoter(PyObject *ufunc) {
+  call_of_numpy = ((PyUFuncObject *)ufunc)->vectorcall;
+  ((PyUFuncObject *)ufunc)->vectorcall = call;
   const int arguments = ((PyUFuncObject *)ufunc)->nargs;
   PyObject *dtypes = PyTuple_New(arguments);
   PyObject *capsule = PyCapsule_New((void *)&promote, "numpy._ufunc_promoter", NULL);

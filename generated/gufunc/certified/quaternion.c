@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, unless an output
    is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC
@@ -541,38 +543,38 @@ const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_scale", "(4),()->(4),(4)",
     "self = a self; |error of self| <= self_bound unless inf or NaN.\n"
     "\n"
-    "(4),()->(4),(4).  self, self_bound: quaternion (w; x, y, z), the scalar first; a: number.\n"
+    "(4),()->(4),(4).  self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.\n"
     "8 mul, 4 add, 4 abs.\n",
    2, 2, quaternion_scale_loops},
   {"product_qq", "(4),(4)->(4),(4)",
-    "qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2); |error of qo| <= qo_bound unless inf\n"
+    "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2); |error of qo| <= qo_bound unless inf\n"
     "or NaN.\n"
     "\n"
-    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.\n"
+    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
    2, 2, product_qq_loops},
   {"product_qconjq", "(4),(4)->(4),(4)",
     "qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
-    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.\n"
+    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
    2, 2, product_qconjq_loops},
   {"product_qqconj", "(4),(4)->(4),(4)",
     "qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
-    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.\n"
+    "(4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "20 mul, 28 add, 16 abs.\n",
    2, 2, product_qqconj_loops},
   {"product_qv", "(4),(3)->(3),(3)",
     "vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
-    "(4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.\n"
+    "(4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.\n"
     "33 mul, 33 add, 13 abs.\n",
    2, 2, product_qv_loops},
   {"product_qconjv", "(4),(3)->(3),(3)",
     "vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
-    "(4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.\n"
+    "(4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.\n"
     "33 mul, 33 add, 13 abs.\n",
    2, 2, product_qconjv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

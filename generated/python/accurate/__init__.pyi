@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -1123,14 +1125,14 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
-    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
 
 def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """|q| = sqrt(w^2 + v·v).
+    """|q| = sqrt(v·v + w^2).
 
-    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
     12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
     select.
     """
@@ -1138,7 +1140,7 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = self / |self|; zero stays zero.
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
@@ -1146,15 +1148,15 @@ def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q / |q|; zero stays zero.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
@@ -1162,39 +1164,39 @@ def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = 
 def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1* q2, q1* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1 q2*, q2* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q) v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
 
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q)^T v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
-    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
     u of its largest component; searched, not proved.
     """
@@ -1202,7 +1204,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...)
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.  Error <= qo: 5 u of its largest component; searched, not proved.
     """
@@ -1211,7 +1213,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
     nothing turns; any multiple of a quaternion.
 
-    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
     searched, not proved.
@@ -1221,7 +1223,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """

@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -994,43 +996,43 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
-    (4),()->(4),(4).  self, self_bound: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4),(4).  self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
     8 mul, 4 add, 4 abs.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2); |error of qo| <= qo_bound unless inf
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2); |error of qo| <= qo_bound unless inf
     or NaN.
 
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
 def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
 
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
 
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
-    (4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+    (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
     """
 
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
-    (4),(3)->(3),(3).  q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+    (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
     """
 

@@ -1,5 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Quaternions q = (w; v): products, rotations, conversions, interpolation.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+"""Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
 
 In double precision, plain tier.
 """
@@ -12,7 +14,7 @@ from coscrew._kernel import double_kernel as kernel
 def quaternion_copy(qi):
     """qo = qi.
 
-    (4)->(4).  qi, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last.
     No arithmetic.  Exact.
     """
     qi_0, qi_1, qi_2, qi_3 = qi
@@ -23,7 +25,7 @@ def quaternion_copy(qi):
 def quaternion_scale(self, a):
     """self = a self.
 
-    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul.  Error <= u |result|, barring over- and underflow.
     """
     self_0, self_1, self_2, self_3 = self
@@ -36,33 +38,33 @@ def quaternion_scale(self, a):
 
 @kernel("(4)->(4)")
 def quaternion_setIdentity(self):
-    """self = (1; 0).
+    """self = (0; 1).
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     No arithmetic.  Exact.
     """
-    return (1, 0, 0, 0)
+    return (0, 0, 0, 1)
 
 
 @kernel("(4)->(4)")
 def quaternion_conjugated(q):
-    """qo = (w; -v), the inverse of q if |q| = 1.
+    """qo = (-v; w), the inverse of q if |q| = 1.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     3 neg.  Exact.
     """
     q_0, q_1, q_2, q_3 = q
+    qo_0 = -q_0
     qo_1 = -q_1
     qo_2 = -q_2
-    qo_3 = -q_3
-    return (q_0, qo_1, qo_2, qo_3)
+    return (qo_0, qo_1, qo_2, q_3)
 
 
 @kernel("(4)->()")
 def quaternion_norm(q):
-    """|q| = sqrt(w^2 + v·v).
+    """|q| = sqrt(v·v + w^2).
 
-    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
     9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -90,7 +92,7 @@ def quaternion_norm(q):
 def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -130,7 +132,7 @@ def quaternion_normalize(self):
 def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -168,18 +170,18 @@ def quaternion_normalized(q):
 
 @kernel("(4),(4)->(4)")
 def product_qq(q1, q2):
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_0 * q2_0 - (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
-    qo_1 = q1_0 * q2_1 + q1_1 * q2_0 + (q1_2 * q2_3 - q1_3 * q2_2)
-    qo_2 = q1_0 * q2_2 + (q1_3 * q2_1 - q1_1 * q2_3) + q1_2 * q2_0
-    qo_3 = q1_0 * q2_3 + (q1_1 * q2_2 - q1_2 * q2_1) + q1_3 * q2_0
+    qo_0 = q1_0 * q2_3 + (q1_1 * q2_2 - q1_2 * q2_1) + q1_3 * q2_0
+    qo_1 = q1_2 * q2_0 - q1_0 * q2_2 + q1_1 * q2_3 + q1_3 * q2_1
+    qo_2 = q1_0 * q2_1 - q1_1 * q2_0 + q1_2 * q2_3 + q1_3 * q2_2
+    qo_3 = q1_3 * q2_3 - (q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2)
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -187,16 +189,16 @@ def product_qq(q1, q2):
 def product_qconjq(q1, q2):
     """qo = q1* q2, q1* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
-    qo_1 = q1_0 * q2_1 - q1_1 * q2_0 + (q1_3 * q2_2 - q1_2 * q2_3)
-    qo_2 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
-    qo_3 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
+    qo_0 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    qo_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_3 * q2_1 - q1_1 * q2_3)
+    qo_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
+    qo_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -204,16 +206,16 @@ def product_qconjq(q1, q2):
 def product_qqconj(q1, q2):
     """qo = q1 q2*, q2* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
-    qo_1 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
-    qo_2 = q1_2 * q2_0 - q1_0 * q2_2 + (q1_1 * q2_3 - q1_3 * q2_1)
-    qo_3 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    qo_0 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
+    qo_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
+    qo_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_2 * q2_3 - q1_3 * q2_2)
+    qo_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -221,21 +223,21 @@ def product_qqconj(q1, q2):
 def product_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
-    c_0 = q_2 * v_2 - q_3 * v_1
-    c_1 = q_3 * v_0 - q_1 * v_2
-    c_2 = q_1 * v_1 - q_2 * v_0
+    c_0 = q_1 * v_2 - q_2 * v_1
+    c_1 = q_2 * v_0 - q_0 * v_2
+    c_2 = q_0 * v_1 - q_1 * v_0
     t_0 = 2 * c_0
     t_1 = 2 * c_1
     t_2 = 2 * c_2
-    turn_0 = q_0 * t_0 + (q_2 * t_2 - q_3 * t_1)
-    turn_1 = q_0 * t_1 + (q_3 * t_0 - q_1 * t_2)
-    turn_2 = q_0 * t_2 + (q_1 * t_1 - q_2 * t_0)
+    turn_0 = q_1 * t_2 - q_2 * t_1 + q_3 * t_0
+    turn_1 = q_2 * t_0 - q_0 * t_2 + q_3 * t_1
+    turn_2 = q_0 * t_1 - q_1 * t_0 + q_3 * t_2
     vo_0 = v_0 + turn_0
     vo_1 = v_1 + turn_1
     vo_2 = v_2 + turn_2
@@ -246,21 +248,21 @@ def product_qv(q, v):
 def product_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
-    c_0 = q_3 * v_1 - q_2 * v_2
-    c_1 = q_1 * v_2 - q_3 * v_0
-    c_2 = q_2 * v_0 - q_1 * v_1
+    c_0 = q_2 * v_1 - q_1 * v_2
+    c_1 = q_0 * v_2 - q_2 * v_0
+    c_2 = q_1 * v_0 - q_0 * v_1
     t_0 = 2 * c_0
     t_1 = 2 * c_1
     t_2 = 2 * c_2
-    turn_0 = q_0 * t_0 + (q_3 * t_1 - q_2 * t_2)
-    turn_1 = q_0 * t_1 + (q_1 * t_2 - q_3 * t_0)
-    turn_2 = q_0 * t_2 + (q_2 * t_0 - q_1 * t_1)
+    turn_0 = q_2 * t_1 - q_1 * t_2 + q_3 * t_0
+    turn_1 = q_0 * t_2 - q_2 * t_0 + q_3 * t_1
+    turn_2 = q_1 * t_0 - q_0 * t_1 + q_3 * t_2
     vo_0 = v_0 + turn_0
     vo_1 = v_1 + turn_1
     vo_2 = v_2 + turn_2
@@ -271,14 +273,14 @@ def product_qconjv(q, v):
 def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
-    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    squares_0 = q_0 * q_0
-    squares_1 = q_1 * q_1
-    squares_2 = q_2 * q_2
-    squares_3 = q_3 * q_3
+    squares_0 = q_3 * q_3
+    squares_1 = q_0 * q_0
+    squares_2 = q_1 * q_1
+    squares_3 = q_2 * q_2
     pairs_0 = squares_0 + squares_1
     pairs_1 = squares_2 + squares_3
     pairs_2 = squares_0 + squares_2
@@ -291,17 +293,17 @@ def mat3x3_from_quaternion(q):
     d1 = pairs_2 - pairs_3
     d2 = pairs_4 - pairs_5
     twice = 2 * factor
-    m_0a = q_1 * q_2
-    m_0b = q_0 * q_3
+    m_0a = q_0 * q_1
+    m_0b = q_2 * q_3
     m_0 = m_0a - m_0b
     m_1a = q_0 * q_2
     m_1b = q_1 * q_3
     m_1 = m_1a + m_1b
-    m_2a = q_2 * q_3
-    m_2b = q_0 * q_1
+    m_2a = q_1 * q_2
+    m_2b = q_0 * q_3
     m_2 = m_2a - m_2b
-    m_3 = m_0b + m_0a
-    m_4 = m_1b - m_1a
+    m_3 = m_0a + m_0b
+    m_4 = m_1a - m_1b
     m_5 = m_2b + m_2a
     R_00 = factor * d0
     R_01 = twice * m_0
@@ -319,7 +321,7 @@ def mat3x3_from_quaternion(q):
 def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
     component; searched, not proved.
     """
@@ -338,22 +340,22 @@ def quaternion_from_mat3x3(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, p_0, p_1)
-    low_1 = where(R_11 < R_00, d_1, s_2)
-    low_2 = where(R_11 < R_00, s_2, d_2)
-    low_3 = where(R_11 < R_00, s_1, s_0)
-    high_0 = where(R_00 < -R_11, p_2, d_0)
-    high_1 = where(R_00 < -R_11, s_1, p_0)
-    high_2 = where(R_00 < -R_11, s_0, p_1)
-    high_3 = where(R_00 < -R_11, d_3, p_2)
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
     column_0 = where(R_22 < 0, low_0, high_0)
     column_1 = where(R_22 < 0, low_1, high_1)
     column_2 = where(R_22 < 0, low_2, high_2)
     column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
     length = sqrt(upper_0 * upper_0 + upper_1 * upper_1 + upper_2 * upper_2 + upper_3 * upper_3)
     qo_0 = upper_0 / length
     qo_1 = upper_1 / length
@@ -364,18 +366,18 @@ def quaternion_from_mat3x3(R):
 
 @kernel("(3),()->(4)")
 def quaternion_from_axis_angle(axis, angle):
-    """qo = (cos angle/2; axis sin angle/2); axis of length 1.
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1.
 
-    (3),()->(4).  axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
     sine = sin(half)
-    qo_0 = cos(half)
-    qo_1 = axis_0 * sine
-    qo_2 = axis_1 * sine
-    qo_3 = axis_2 * sine
+    qo_0 = axis_0 * sine
+    qo_1 = axis_1 * sine
+    qo_2 = axis_2 * sine
+    qo_3 = cos(half)
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -384,30 +386,30 @@ def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
     nothing turns; any multiple of a quaternion.
 
-    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_0 < 0, -q_0, q_0)
-    upper_1 = where(q_0 < 0, -q_1, q_1)
-    upper_2 = where(q_0 < 0, -q_2, q_2)
-    upper_3 = where(q_0 < 0, -q_3, q_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(q_3 < 0, -q_0, q_0)
+    upper_1 = where(q_3 < 0, -q_1, q_1)
+    upper_2 = where(q_3 < 0, -q_2, q_2)
+    upper_3 = where(q_3 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
     unit_0 = v_y_0 / divisor
     unit_1 = v_y_1 / divisor
@@ -419,9 +421,9 @@ def axis_angle_from_quaternion(q):
 
 @kernel("(3)->(4)")
 def quaternion_exp(v):
-    """qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
-    (3)->(4).  v: vector; qo: quaternion (w; x, y, z), the scalar first.
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
     34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its
     largest component; searched, not proved.
     """
@@ -477,10 +479,10 @@ def quaternion_exp(v):
     g2w = x * g2v
     g2 = g2w + 0.5
     near = 1 - x * g2
-    qo_0 = where(x < 1, near, cosine)
-    qo_1 = h_0 * k
-    qo_2 = h_1 * k
-    qo_3 = h_2 * k
+    qo_0 = h_0 * k
+    qo_1 = h_1 * k
+    qo_2 = h_2 * k
+    qo_3 = where(x < 1, near, cosine)
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -489,36 +491,36 @@ def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_0 < 0, -q_0, q_0)
-    upper_1 = where(q_0 < 0, -q_1, q_1)
-    upper_2 = where(q_0 < 0, -q_2, q_2)
-    upper_3 = where(q_0 < 0, -q_3, q_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(q_3 < 0, -q_0, q_0)
+    upper_1 = where(q_3 < 0, -q_1, q_1)
+    upper_2 = where(q_3 < 0, -q_2, q_2)
+    upper_3 = where(q_3 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
-    vector_0 = upper_1 * k
-    vector_1 = upper_2 * k
-    vector_2 = upper_3 * k
+    vector_0 = upper_0 * k
+    vector_1 = upper_1 * k
+    vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
 
 
@@ -526,40 +528,40 @@ def quaternion_log(q):
 def quaternion_slerp(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
-    (4),(4),()->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
     select.  Error <= qo: 12 u of its largest component; searched, not proved.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    between_0 = q1_0 * q2_0 + (q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3)
-    between_1 = q1_0 * q2_1 - q1_1 * q2_0 + (q1_3 * q2_2 - q1_2 * q2_3)
-    between_2 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
-    between_3 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
-    upper_0 = where(between_0 < 0, -between_0, between_0)
-    upper_1 = where(between_0 < 0, -between_1, between_1)
-    upper_2 = where(between_0 < 0, -between_2, between_2)
-    upper_3 = where(between_0 < 0, -between_3, between_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    between_0 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    between_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_3 * q2_1 - q1_1 * q2_3)
+    between_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
+    between_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
+    upper_0 = where(between_3 < 0, -between_0, between_0)
+    upper_1 = where(between_3 < 0, -between_1, between_1)
+    upper_2 = where(between_3 < 0, -between_2, between_2)
+    upper_3 = where(between_3 < 0, -between_3, between_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     rate = half / divisor
-    kv_0 = k * upper_1
-    kv_1 = k * upper_2
-    kv_2 = k * upper_3
+    kv_0 = k * upper_0
+    kv_1 = k * upper_1
+    kv_2 = k * upper_2
     step_0 = rate * kv_0
     step_1 = rate * kv_1
     step_2 = rate * kv_2
@@ -615,12 +617,12 @@ def quaternion_slerp(q1, q2, k):
     exp_g2w = exp_x * exp_g2v
     exp_g2 = exp_g2w + 0.5
     exp_near = 1 - exp_x * exp_g2
-    power_0 = where(exp_x < 1, exp_near, exp_cosine)
-    power_1 = step_0 * exp_k
-    power_2 = step_1 * exp_k
-    power_3 = step_2 * exp_k
-    qo_0 = q1_0 * power_0 - (q1_1 * power_1 + q1_2 * power_2 + q1_3 * power_3)
-    qo_1 = q1_0 * power_1 + (q1_1 * power_0 + q1_2 * power_3 - q1_3 * power_2)
-    qo_2 = q1_0 * power_2 + (q1_2 * power_0 - q1_1 * power_3 + q1_3 * power_1)
-    qo_3 = q1_0 * power_3 + (q1_1 * power_2 - q1_2 * power_1 + q1_3 * power_0)
+    power_0 = step_0 * exp_k
+    power_1 = step_1 * exp_k
+    power_2 = step_2 * exp_k
+    power_3 = where(exp_x < 1, exp_near, exp_cosine)
+    qo_0 = q1_0 * power_3 + (q1_1 * power_2 - q1_2 * power_1) + q1_3 * power_0
+    qo_1 = q1_2 * power_0 - q1_0 * power_2 + q1_1 * power_3 + q1_3 * power_1
+    qo_2 = q1_0 * power_1 - q1_1 * power_0 + q1_2 * power_3 + q1_3 * power_2
+    qo_3 = q1_3 * power_3 - (q1_0 * power_0 + q1_1 * power_1 + q1_2 * power_2)
     return (qo_0, qo_1, qo_2, qo_3)

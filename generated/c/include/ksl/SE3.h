@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Displacements D = [R | t]. */
 #ifndef KSL_SE3_H
 #define KSL_SE3_H
@@ -483,16 +485,26 @@ static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_SE3_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is no
-     memory. */
+/* n ksl_SE3_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
 static inline ksl_SE3_t *ksl_SE3_alloc(int n) {
-  return n > 0 ? (ksl_SE3_t *)calloc((size_t)n, sizeof(ksl_SE3_t)) : NULL;
+  ksl_SE3_t *const all =
+      n > 0 ? (ksl_SE3_t *)calloc((size_t)n, sizeof(ksl_SE3_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = 1.0;
+  }
+  return all;
 }
 
-/* n zeroed ksl_SE3f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
-     no memory. */
+/* n ksl_SE3f_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
 static inline ksl_SE3f_t *ksl_SE3f_alloc(int n) {
-  return n > 0 ? (ksl_SE3f_t *)calloc((size_t)n, sizeof(ksl_SE3f_t)) : NULL;
+  ksl_SE3f_t *const all =
+      n > 0 ? (ksl_SE3f_t *)calloc((size_t)n, sizeof(ksl_SE3f_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = 1.0f;
+  }
+  return all;
 }
 
 #endif

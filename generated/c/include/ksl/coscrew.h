@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Coscrews: wrenches and momenta, c = (f; τ). */
 #ifndef KSL_COSCREW_H
 #define KSL_COSCREW_H
@@ -2671,13 +2673,13 @@ static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_coscrew_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+/* n ksl_coscrew_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
      is no memory. */
 static inline ksl_coscrew_t *ksl_coscrew_alloc(int n) {
   return n > 0 ? (ksl_coscrew_t *)calloc((size_t)n, sizeof(ksl_coscrew_t)) : NULL;
 }
 
-/* n zeroed ksl_coscrewf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+/* n ksl_coscrewf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
      is no memory. */
 static inline ksl_coscrewf_t *ksl_coscrewf_alloc(int n) {
   return n > 0 ? (ksl_coscrewf_t *)calloc((size_t)n, sizeof(ksl_coscrewf_t)) : NULL;

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_EXPONENTIAL_ACCURATE_H
@@ -61,18 +63,18 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
       d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
       d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
-      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
-      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
-      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
-      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
@@ -82,50 +84,50 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_0_of_upper_1_right = v_y_0_of_upper_1 - upper_1,
-      v_y_0_of_upper_1_left = v_y_0_of_upper_1 - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_left_rest = upper_1 - v_y_0_of_upper_1_left,
-      v_y_0_of_upper_1_right_rest = upper_1_lo - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_lo = v_y_0_of_upper_1_left_rest + v_y_0_of_upper_1_right_rest,
-      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
+  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
+      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
+      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
+      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_1_of_upper_2_right = v_y_1_of_upper_2 - upper_2,
-      v_y_1_of_upper_2_left = v_y_1_of_upper_2 - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_left_rest = upper_2 - v_y_1_of_upper_2_left,
-      v_y_1_of_upper_2_right_rest = upper_2_lo - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_lo = v_y_1_of_upper_2_left_rest + v_y_1_of_upper_2_right_rest,
-      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
+      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
+      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
+      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
       v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
-      v_y_2_of_upper_3_right = v_y_2_of_upper_3 - upper_3,
-      v_y_2_of_upper_3_left = v_y_2_of_upper_3 - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_left_rest = upper_3 - v_y_2_of_upper_3_left,
-      v_y_2_of_upper_3_right_rest = upper_3_lo - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_lo = v_y_2_of_upper_3_left_rest + v_y_2_of_upper_3_right_rest,
-      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
+      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
+      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
+      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
       v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
@@ -163,17 +165,17 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half_of_upper_0 = upper_0 + upper_0_lo, half_of_upper_0_right = half_of_upper_0 - upper_0,
-      half_of_upper_0_left = half_of_upper_0 - half_of_upper_0_right,
-      half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
-      half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
-      half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_0),
+      half_of_upper_3 = upper_3 + upper_3_lo, half_of_upper_3_right = half_of_upper_3 - upper_3,
+      half_of_upper_3_left = half_of_upper_3 - half_of_upper_3_right,
+      half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
+      half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
+      half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
+      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
@@ -195,19 +197,19 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = v_y_0_of_upper_1 * k, vector_0_cross1 = v_y_0_of_upper_1_lo * k,
-      vector_0_cross2 = v_y_0_of_upper_1 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
-  const double vector_1 = v_y_1_of_upper_2 * k, vector_1_cross1 = v_y_1_of_upper_2_lo * k,
-      vector_1_cross2 = v_y_1_of_upper_2 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
-  const double vector_2 = v_y_2_of_upper_3 * k, vector_2_cross1 = v_y_2_of_upper_3_lo * k,
-      vector_2_cross2 = v_y_2_of_upper_3 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
-  const double vector_0_error = ksl_product_error(v_y_0_of_upper_1, k, vector_0),
+  const double vector_0 = v_y_0_of_upper_0 * k, vector_0_cross1 = v_y_0_of_upper_0_lo * k,
+      vector_0_cross2 = v_y_0_of_upper_0 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
+  const double vector_1 = v_y_1_of_upper_1 * k, vector_1_cross1 = v_y_1_of_upper_1_lo * k,
+      vector_1_cross2 = v_y_1_of_upper_1 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
+  const double vector_2 = v_y_2_of_upper_2 * k, vector_2_cross1 = v_y_2_of_upper_2_lo * k,
+      vector_2_cross2 = v_y_2_of_upper_2 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
+  const double vector_0_error = ksl_product_error(v_y_0_of_upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(v_y_1_of_upper_2, k, vector_1),
+  const double vector_1_error = ksl_product_error(v_y_1_of_upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(v_y_2_of_upper_3, k, vector_2),
+  const double vector_2_error = ksl_product_error(v_y_2_of_upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
@@ -270,18 +272,18 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
       d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
       d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1, low_0_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2, low_1_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2, low_2_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0, low_3_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0,
-      high_0_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0,
-      high_1_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1,
-      high_2_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2,
-      high_3_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
       column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
@@ -291,50 +293,50 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_0 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_0 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_0 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_0 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_0 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_0 < 0.0 ? upper_2a_lo : column_2_lo;
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
   const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_0 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_0 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_0_of_upper_1_right = v_y_0_of_upper_1 - upper_1,
-      v_y_0_of_upper_1_left = v_y_0_of_upper_1 - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_left_rest = upper_1 - v_y_0_of_upper_1_left,
-      v_y_0_of_upper_1_right_rest = upper_1_lo - v_y_0_of_upper_1_right,
-      v_y_0_of_upper_1_lo = v_y_0_of_upper_1_left_rest + v_y_0_of_upper_1_right_rest,
-      v_y_0 = v_y_0_of_upper_1 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_1 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_1_lo,
+  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
+      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
+      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
+      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
+      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
+      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
       v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_1_of_upper_2_right = v_y_1_of_upper_2 - upper_2,
-      v_y_1_of_upper_2_left = v_y_1_of_upper_2 - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_left_rest = upper_2 - v_y_1_of_upper_2_left,
-      v_y_1_of_upper_2_right_rest = upper_2_lo - v_y_1_of_upper_2_right,
-      v_y_1_of_upper_2_lo = v_y_1_of_upper_2_left_rest + v_y_1_of_upper_2_right_rest,
-      v_y_1 = v_y_1_of_upper_2 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_2 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_2_lo,
+  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
+      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
+      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
+      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
+      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
       v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_3 = upper_3 + upper_3_lo,
-      v_y_2_of_upper_3_right = v_y_2_of_upper_3 - upper_3,
-      v_y_2_of_upper_3_left = v_y_2_of_upper_3 - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_left_rest = upper_3 - v_y_2_of_upper_3_left,
-      v_y_2_of_upper_3_right_rest = upper_3_lo - v_y_2_of_upper_3_right,
-      v_y_2_of_upper_3_lo = v_y_2_of_upper_3_left_rest + v_y_2_of_upper_3_right_rest,
-      v_y_2 = v_y_2_of_upper_3 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_3 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_3_lo,
+  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
+      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
+      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
+      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
+      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
       v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
@@ -372,17 +374,17 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half_of_upper_0 = upper_0 + upper_0_lo, half_of_upper_0_right = half_of_upper_0 - upper_0,
-      half_of_upper_0_left = half_of_upper_0 - half_of_upper_0_right,
-      half_of_upper_0_left_rest = upper_0 - half_of_upper_0_left,
-      half_of_upper_0_right_rest = upper_0_lo - half_of_upper_0_right,
-      half_of_upper_0_lo = half_of_upper_0_left_rest + half_of_upper_0_right_rest,
-      half = atan2(half_of_n, half_of_upper_0), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_0),
+      half_of_upper_3 = upper_3 + upper_3_lo, half_of_upper_3_right = half_of_upper_3 - upper_3,
+      half_of_upper_3_left = half_of_upper_3 - half_of_upper_3_right,
+      half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
+      half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
+      half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
+      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_0 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_0_lo, half_square1 = half_part1 * half_part1,
+      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
+      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
       half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
@@ -1145,44 +1147,44 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
@@ -1208,38 +1210,38 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
+  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
+  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
+  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
+  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin. */
 #ifndef KSL_INERTIA_H
 #define KSL_INERTIA_H
@@ -1042,13 +1044,13 @@ static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_inertia_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+/* n ksl_inertia_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
      is no memory. */
 static inline ksl_inertia_t *ksl_inertia_alloc(int n) {
   return n > 0 ? (ksl_inertia_t *)calloc((size_t)n, sizeof(ksl_inertia_t)) : NULL;
 }
 
-/* n zeroed ksl_inertiaf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+/* n ksl_inertiaf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
      is no memory. */
 static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
   return n > 0 ? (ksl_inertiaf_t *)calloc((size_t)n, sizeof(ksl_inertiaf_t)) : NULL;

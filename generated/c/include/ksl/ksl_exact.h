@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exact rounding errors in double precision, for compensated kernels.
 
    Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own
@@ -13,7 +15,9 @@
 #error "-ffast-math undoes compensated arithmetic"
 #endif
 
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
+#if defined(KSL_HAS_FMA)
+/* as whoever includes this says */
+#elif defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
 #define KSL_HAS_FMA 1
 #else
 #define KSL_HAS_FMA 0

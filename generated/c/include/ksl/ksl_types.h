@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -27,6 +29,14 @@
 #error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
 #endif
 #endif
+
+/* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
+#define KSL_VERSION_MAJOR 0
+#define KSL_VERSION_MINOR 1
+#define KSL_VERSION_PATCH 0
+#define KSL_VERSION_NUMBER(major, minor, patch) (10000 * (major) + 100 * (minor) + (patch))
+#define KSL_VERSION KSL_VERSION_NUMBER(KSL_VERSION_MAJOR, KSL_VERSION_MINOR, KSL_VERSION_PATCH)
+#define KSL_VERSION_STRING "0.1.0"
 
 #if defined(__GNUC__)
 #define KSL_VIEW __extension__ struct
@@ -148,16 +158,18 @@ typedef union ksl_mat6x6f_t {
   KSL_VIEW { float at[6][6]; };
 } ksl_mat6x6f_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; double precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; double precision. */
 typedef union ksl_quaternion_t {
   KSL_VIEW { double at[4]; };
-  KSL_VIEW { double w, x, y, z; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
 } ksl_quaternion_t;
 
-/* quaternion (w; x, y, z), the scalar first; for rotations, of norm 1; single precision. */
+/* quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1; single precision. */
 typedef union ksl_quaternionf_t {
   KSL_VIEW { float at[4]; };
-  KSL_VIEW { float w, x, y, z; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
 /* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* 3×3 matrices: rotations, and matrices in general. */
 #ifndef KSL_MAT3X3_H
 #define KSL_MAT3X3_H
@@ -399,16 +401,26 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_mat3x3_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
-     no memory. */
+/* n ksl_mat3x3_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
 static inline ksl_mat3x3_t *ksl_mat3x3_alloc(int n) {
-  return n > 0 ? (ksl_mat3x3_t *)calloc((size_t)n, sizeof(ksl_mat3x3_t)) : NULL;
+  ksl_mat3x3_t *const all =
+      n > 0 ? (ksl_mat3x3_t *)calloc((size_t)n, sizeof(ksl_mat3x3_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = 1.0;
+  }
+  return all;
 }
 
-/* n zeroed ksl_mat3x3f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
-     is no memory. */
+/* n ksl_mat3x3f_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
 static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
-  return n > 0 ? (ksl_mat3x3f_t *)calloc((size_t)n, sizeof(ksl_mat3x3f_t)) : NULL;
+  ksl_mat3x3f_t *const all =
+      n > 0 ? (ksl_mat3x3f_t *)calloc((size_t)n, sizeof(ksl_mat3x3f_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = 1.0f;
+  }
+  return all;
 }
 
 #endif

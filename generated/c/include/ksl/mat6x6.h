@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them. */
 #ifndef KSL_MAT6X6_H
 #define KSL_MAT6X6_H
@@ -438,13 +440,13 @@ static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t 
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_mat6x6_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_mat6x6_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_mat6x6_t *ksl_mat6x6_alloc(int n) {
   return n > 0 ? (ksl_mat6x6_t *)calloc((size_t)n, sizeof(ksl_mat6x6_t)) : NULL;
 }
 
-/* n zeroed ksl_mat6x6f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there
+/* n ksl_mat6x6f_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
      is no memory. */
 static inline ksl_mat6x6f_t *ksl_mat6x6f_alloc(int n) {
   return n > 0 ? (ksl_mat6x6f_t *)calloc((size_t)n, sizeof(ksl_mat6x6f_t)) : NULL;

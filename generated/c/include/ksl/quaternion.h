@@ -1,5 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Quaternions q = (w; v): products, rotations, conversions, interpolation. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation. */
 #ifndef KSL_QUATERNION_H
 #define KSL_QUATERNION_H
 
@@ -7,89 +9,89 @@
 #include "mat3x3.h"
 
 /* The quaternion of these entries, in order. */
-static inline ksl_quaternion_t ksl_quaternion(const double w, const double x, const double y,
-    const double z) {
+static inline ksl_quaternion_t ksl_quaternion(const double x, const double y, const double z,
+    const double w) {
   ksl_quaternion_t value;
-  value.w = w;
   value.x = x;
   value.y = y;
   value.z = z;
+  value.w = w;
   return value;
 }
 
 /* qo = qi.
-   qi, qo: quaternion (w; x, y, z), the scalar first.
+   qi, qo: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
    Exact. */
 static inline void ksl_quaternion_copy(const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qi_w = qi->w;
   const double qi_x = qi->x;
   const double qi_y = qi->y;
   const double qi_z = qi->z;
-  qo->w = qi_w;
+  const double qi_w = qi->w;
   qo->x = qi_x;
   qo->y = qi_y;
   qo->z = qi_z;
+  qo->w = qi_w;
 }
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->w * a;
-  const double self_1_new = self->x * a;
-  const double self_2_new = self->y * a;
-  const double self_3_new = self->z * a;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
-/* self = (1; 0).
-   self: quaternion (w; x, y, z), the scalar first.
+/* self = (0; 1).
+   self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
    Exact. */
 static inline void ksl_quaternion_setIdentity(ksl_quaternion_t *self) {
-  self->w = 1.0;
   self->x = 0.0;
   self->y = 0.0;
   self->z = 0.0;
+  self->w = 1.0;
 }
 
-/* qo = (w; -v), the inverse of q if |q| = 1.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = (-v; w), the inverse of q if |q| = 1.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    3 neg.
    Exact. */
 static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double qo_1 = -q->x;
-  const double qo_2 = -q->y;
-  const double qo_3 = -q->z;
+  const double qo_0 = -q->x;
+  const double qo_1 = -q->y;
+  const double qo_2 = -q->z;
   const double q_w = q->w;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
   qo->w = q_w;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
 }
 
-/* |q| = sqrt(w^2 + v·v).
-   q: quaternion (w; x, y, z), the scalar first.
+/* |q| = sqrt(v·v + w^2).
+   q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->w);
-  const double s_size_1 = fabs(q->x);
-  const double s_size_2 = fabs(q->y);
-  const double s_size_3 = fabs(q->z);
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->w * s;
-  const double y_1 = q->x * s;
-  const double y_2 = q->y * s;
-  const double y_3 = q->z * s;
+  const double y_0 = q->x * s;
+  const double y_1 = q->y * s;
+  const double y_2 = q->z * s;
+  const double y_3 = q->w * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
@@ -99,31 +101,31 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
 }
 
 /* self = self / |self|; zero stays zero.
-   self: quaternion (w; x, y, z), the scalar first.
+   self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
-  const double s_size_0 = fabs(self->w);
-  const double s_size_1 = fabs(self->x);
-  const double s_size_2 = fabs(self->y);
-  const double s_size_3 = fabs(self->z);
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = self->w * s;
-  const double y_1 = self->x * s;
-  const double y_2 = self->y * s;
-  const double y_3 = self->z * s;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double y_3 = self->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->w * up;
-  const double enlarged_1 = self->x * up;
-  const double enlarged_2 = self->y * up;
-  const double enlarged_3 = self->z * up;
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double enlarged_3 = self->w * up;
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
@@ -132,38 +134,38 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double self_1_new = quotient_1 * down;
   const double self_2_new = quotient_2 * down;
   const double self_3_new = quotient_3 * down;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
 /* qo = q / |q|; zero stays zero.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->w);
-  const double s_size_1 = fabs(q->x);
-  const double s_size_2 = fabs(q->y);
-  const double s_size_3 = fabs(q->z);
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0 = q->w * s;
-  const double y_1 = q->x * s;
-  const double y_2 = q->y * s;
-  const double y_3 = q->z * s;
+  const double y_0 = q->x * s;
+  const double y_1 = q->y * s;
+  const double y_2 = q->z * s;
+  const double y_3 = q->w * s;
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = q->w * up;
-  const double enlarged_1 = q->x * up;
-  const double enlarged_2 = q->y * up;
-  const double enlarged_3 = q->z * up;
+  const double enlarged_0 = q->x * up;
+  const double enlarged_1 = q->y * up;
+  const double enlarged_2 = q->z * up;
+  const double enlarged_3 = q->w * up;
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
@@ -172,77 +174,77 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double qo_1 = quotient_1 * down;
   const double qo_2 = quotient_2 * down;
   const double qo_3 = quotient_3 * down;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
-      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
-      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
-      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -253,12 +255,12 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -268,7 +270,7 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -280,12 +282,12 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -295,7 +297,7 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
-   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
@@ -315,11 +317,11 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   const double d1 = pairs_2 - pairs_3;
   const double d2 = pairs_4 - pairs_5;
   const double twice = 2.0 * factor;
-  const double m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b;
-  const double m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b;
-  const double m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b;
-  const double m_3 = m_0b + m_0a;
-  const double m_4 = m_1b - m_1a;
+  const double m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b;
+  const double m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b;
+  const double m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b;
+  const double m_3 = m_0a + m_0b;
+  const double m_4 = m_1a - m_1b;
   const double m_5 = m_2b + m_2a;
   const double R_00 = factor * d0;
   const double R_01 = twice * m_0;
@@ -342,7 +344,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 }
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
-   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
@@ -360,22 +362,22 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double d_1 = first_0 - others_0;
   const double d_2 = first_1 + others_1;
   const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const double low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const double high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
   const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
   const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
   const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_0 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_0 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_0 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_0 < 0.0 ? upper_3a : column_3;
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
   const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
       length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
       length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
@@ -383,56 +385,56 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
   const double qo_3 = upper_3 / length;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
-/* qo = (cos angle/2; axis sin angle/2); axis of length 1.
-   axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+   axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
   const double sine = sin(half);
-  const double qo_0 = cos(half);
-  const double qo_1 = axis->x * sine;
-  const double qo_2 = axis->y * sine;
-  const double qo_3 = axis->z * sine;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0 = axis->x * sine;
+  const double qo_1 = axis->y * sine;
+  const double qo_2 = axis->z * sine;
+  const double qo_3 = cos(half);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
-   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   q: quaternion (x, y, z, w), the scalar last; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
-  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
-  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
-  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
+  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
+  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
+  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -445,8 +447,8 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   return angle;
 }
 
-/* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
-   v: vector; qo: quaternion (w; x, y, z), the scalar first.
+/* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+   v: vector; qo: quaternion (x, y, z, w), the scalar last.
    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
    Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
@@ -476,96 +478,97 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
       g2s = x * g2r, g2t = g2s + 0.001388888888888889, g2u = x * g2t,
       g2v = g2u - 0.041666666666666664, g2w = x * g2v, g2 = g2w + 0.5;
   const double near_a = x * g2, near = 1.0 - near_a;
-  const double qo_0 = x < 1.0 ? near : cosine;
-  const double qo_1 = h_0 * k;
-  const double qo_2 = h_1 * k;
-  const double qo_3 = h_2 * k;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0 = h_0 * k;
+  const double qo_1 = h_1 * k;
+  const double qo_2 = h_2 * k;
+  const double qo_3 = x < 1.0 ? near : cosine;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
-   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; vo: vector.
    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->w, upper_0 = q->w < 0.0 ? upper_0a : q->w;
-  const double upper_1a = -q->x, upper_1 = q->w < 0.0 ? upper_1a : q->x;
-  const double upper_2a = -q->y, upper_2 = q->w < 0.0 ? upper_2a : q->y;
-  const double upper_3a = -q->z, upper_3 = q->w < 0.0 ? upper_3a : q->z;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
+  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
+  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
+  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = 2.0 * half;
   const double k = theta / divisor;
-  const double vector_0 = upper_1 * k;
-  const double vector_1 = upper_2 * k;
-  const double vector_2 = upper_3 * k;
+  const double vector_0 = upper_0 * k;
+  const double vector_1 = upper_1 * k;
+  const double vector_2 = upper_2 * k;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
 }
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
      select.
    Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
-  const double between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
-      between_0d = between_0b + between_0c, between_0e = q1->z * q2->z,
-      between_0f = between_0d + between_0e, between_0 = between_0a + between_0f;
-  const double between_1a = q1->w * q2->x, between_1b = q1->x * q2->w,
-      between_1c = between_1a - between_1b, between_1d = q1->z * q2->y, between_1e = q1->y * q2->z,
+  const double between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
+      between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
+      between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
+  const double between_1a = q1->x * q2->z, between_1b = q1->z * q2->x,
+      between_1c = between_1a - between_1b, between_1d = q1->w * q2->y, between_1e = q1->y * q2->w,
       between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
-  const double between_2a = q1->w * q2->y, between_2b = q1->y * q2->w,
-      between_2c = between_2a - between_2b, between_2d = q1->x * q2->z, between_2e = q1->z * q2->x,
+  const double between_2a = q1->y * q2->x, between_2b = q1->x * q2->y,
+      between_2c = between_2a - between_2b, between_2d = q1->w * q2->z, between_2e = q1->z * q2->w,
       between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
-  const double between_3a = q1->w * q2->z, between_3b = q1->z * q2->w,
-      between_3c = between_3a - between_3b, between_3d = q1->y * q2->x, between_3e = q1->x * q2->y,
-      between_3f = between_3d - between_3e, between_3 = between_3c + between_3f;
-  const double upper_0a = -between_0, upper_0 = between_0 < 0.0 ? upper_0a : between_0;
-  const double upper_1a = -between_1, upper_1 = between_0 < 0.0 ? upper_1a : between_1;
-  const double upper_2a = -between_2, upper_2 = between_0 < 0.0 ? upper_2a : between_2;
-  const double upper_3a = -between_3, upper_3 = between_0 < 0.0 ? upper_3a : between_3;
-  const double v_s_size_0 = fabs(upper_1);
-  const double v_s_size_1 = fabs(upper_2);
-  const double v_s_size_2 = fabs(upper_3);
+  const double between_3a = q1->x * q2->x, between_3b = q1->y * q2->y,
+      between_3c = between_3a + between_3b, between_3d = q1->z * q2->z,
+      between_3e = between_3c + between_3d, between_3f = q1->w * q2->w,
+      between_3 = between_3e + between_3f;
+  const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
+  const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
+  const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
+  const double upper_3a = -between_3, upper_3 = between_3 < 0.0 ? upper_3a : between_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_1 * v_s;
-  const double v_y_1 = upper_2 * v_s;
-  const double v_y_2 = upper_3 * v_s;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
   const double n = v_n * v_r;
-  const double half = atan2(n, upper_0);
+  const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
-  const double kv_0 = k * upper_1;
-  const double kv_1 = k * upper_2;
-  const double kv_2 = k * upper_3;
+  const double kv_0 = k * upper_0;
+  const double kv_1 = k * upper_1;
+  const double kv_2 = k * upper_2;
   const double step_0 = rate * kv_0;
   const double step_1 = rate * kv_1;
   const double step_2 = rate * kv_2;
@@ -601,108 +604,108 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
       exp_g2u = exp_x * exp_g2t, exp_g2v = exp_g2u - 0.041666666666666664,
       exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5;
   const double exp_near_a = exp_x * exp_g2, exp_near = 1.0 - exp_near_a;
-  const double power_0 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double power_1 = step_0 * exp_k;
-  const double power_2 = step_1 * exp_k;
-  const double power_3 = step_2 * exp_k;
-  const double qo_0a = q1->w * power_0, qo_0b = q1->x * power_1, qo_0c = q1->y * power_2,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * power_3, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const double qo_1a = q1->w * power_1, qo_1b = q1->x * power_0, qo_1c = q1->y * power_3,
-      qo_1d = qo_1b + qo_1c, qo_1e = q1->z * power_2, qo_1f = qo_1d - qo_1e, qo_1 = qo_1a + qo_1f;
-  const double qo_2a = q1->w * power_2, qo_2b = q1->y * power_0, qo_2c = q1->x * power_3,
-      qo_2d = qo_2b - qo_2c, qo_2e = q1->z * power_1, qo_2f = qo_2d + qo_2e, qo_2 = qo_2a + qo_2f;
-  const double qo_3a = q1->w * power_3, qo_3b = q1->x * power_2, qo_3c = q1->y * power_1,
-      qo_3d = qo_3b - qo_3c, qo_3e = q1->z * power_0, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double power_0 = step_0 * exp_k;
+  const double power_1 = step_1 * exp_k;
+  const double power_2 = step_2 * exp_k;
+  const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
+  const double qo_0a = q1->x * power_3, qo_0b = q1->y * power_2, qo_0c = q1->z * power_1,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * power_0, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = q1->z * power_0, qo_1b = q1->x * power_2, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * power_3, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * power_1, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = q1->x * power_1, qo_2b = q1->y * power_0, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * power_3, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * power_2, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = q1->w * power_3, qo_3b = q1->x * power_0, qo_3c = q1->y * power_1,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * power_2, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* The quaternion of these entries, in order. */
-static inline ksl_quaternionf_t ksl_quaternionf(const float w, const float x, const float y,
-    const float z) {
+static inline ksl_quaternionf_t ksl_quaternionf(const float x, const float y, const float z,
+    const float w) {
   ksl_quaternionf_t value;
-  value.w = w;
   value.x = x;
   value.y = y;
   value.z = z;
+  value.w = w;
   return value;
 }
 
 /* qo = qi.
-   qi, qo: quaternion (w; x, y, z), the scalar first.
+   qi, qo: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
    Exact. */
 static inline void ksl_quaternionf_copy(const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const float qi_w = qi->w;
   const float qi_x = qi->x;
   const float qi_y = qi->y;
   const float qi_z = qi->z;
-  qo->w = qi_w;
+  const float qi_w = qi->w;
   qo->x = qi_x;
   qo->y = qi_y;
   qo->z = qi_z;
+  qo->w = qi_w;
 }
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->w * a;
-  const float self_1_new = self->x * a;
-  const float self_2_new = self->y * a;
-  const float self_3_new = self->z * a;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
-/* self = (1; 0).
-   self: quaternion (w; x, y, z), the scalar first.
+/* self = (0; 1).
+   self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
    Exact. */
 static inline void ksl_quaternionf_setIdentity(ksl_quaternionf_t *self) {
-  self->w = 1.0f;
   self->x = 0.0f;
   self->y = 0.0f;
   self->z = 0.0f;
+  self->w = 1.0f;
 }
 
-/* qo = (w; -v), the inverse of q if |q| = 1.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = (-v; w), the inverse of q if |q| = 1.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    3 neg.
    Exact. */
 static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float qo_1 = -q->x;
-  const float qo_2 = -q->y;
-  const float qo_3 = -q->z;
+  const float qo_0 = -q->x;
+  const float qo_1 = -q->y;
+  const float qo_2 = -q->z;
   const float q_w = q->w;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
   qo->w = q_w;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
 }
 
-/* |q| = sqrt(w^2 + v·v).
-   q: quaternion (w; x, y, z), the scalar first.
+/* |q| = sqrt(v·v + w^2).
+   q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->w);
-  const float s_size_1 = fabsf(q->x);
-  const float s_size_2 = fabsf(q->y);
-  const float s_size_3 = fabsf(q->z);
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = q->w * s;
-  const float y_1 = q->x * s;
-  const float y_2 = q->y * s;
-  const float y_3 = q->z * s;
+  const float y_0 = q->x * s;
+  const float y_1 = q->y * s;
+  const float y_2 = q->z * s;
+  const float y_3 = q->w * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
@@ -711,31 +714,31 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
 }
 
 /* self = self / |self|; zero stays zero.
-   self: quaternion (w; x, y, z), the scalar first.
+   self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
-  const float s_size_0 = fabsf(self->w);
-  const float s_size_1 = fabsf(self->x);
-  const float s_size_2 = fabsf(self->y);
-  const float s_size_3 = fabsf(self->z);
+  const float s_size_0 = fabsf(self->x);
+  const float s_size_1 = fabsf(self->y);
+  const float s_size_2 = fabsf(self->z);
+  const float s_size_3 = fabsf(self->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = self->w * s;
-  const float y_1 = self->x * s;
-  const float y_2 = self->y * s;
-  const float y_3 = self->z * s;
+  const float y_0 = self->x * s;
+  const float y_1 = self->y * s;
+  const float y_2 = self->z * s;
+  const float y_3 = self->w * s;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->w * up;
-  const float enlarged_1 = self->x * up;
-  const float enlarged_2 = self->y * up;
-  const float enlarged_3 = self->z * up;
+  const float enlarged_0 = self->x * up;
+  const float enlarged_1 = self->y * up;
+  const float enlarged_2 = self->z * up;
+  const float enlarged_3 = self->w * up;
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
@@ -744,38 +747,38 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float self_1_new = quotient_1 * down;
   const float self_2_new = quotient_2 * down;
   const float self_3_new = quotient_3 * down;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
 /* qo = q / |q|; zero stays zero.
-   q, qo: quaternion (w; x, y, z), the scalar first.
+   q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float s_size_0 = fabsf(q->w);
-  const float s_size_1 = fabsf(q->x);
-  const float s_size_2 = fabsf(q->y);
-  const float s_size_3 = fabsf(q->z);
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
-  const float y_0 = q->w * s;
-  const float y_1 = q->x * s;
-  const float y_2 = q->y * s;
-  const float y_3 = q->z * s;
+  const float y_0 = q->x * s;
+  const float y_1 = q->y * s;
+  const float y_2 = q->z * s;
+  const float y_3 = q->w * s;
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = q->w * up;
-  const float enlarged_1 = q->x * up;
-  const float enlarged_2 = q->y * up;
-  const float enlarged_3 = q->z * up;
+  const float enlarged_0 = q->x * up;
+  const float enlarged_1 = q->y * up;
+  const float enlarged_2 = q->z * up;
+  const float enlarged_3 = q->w * up;
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
@@ -784,77 +787,77 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float qo_1 = quotient_1 * down;
   const float qo_2 = quotient_2 * down;
   const float qo_3 = quotient_3 * down;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
-      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
-      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
-      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const float qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const float qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const float qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 12 add.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const float qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -866,12 +869,12 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const float turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const float turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const float turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const float turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -881,7 +884,7 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -893,12 +896,12 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const float turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const float turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const float turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const float turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -908,7 +911,7 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
-   q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+   q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 5 u of its largest component; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
@@ -928,11 +931,11 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   const float d1 = pairs_2 - pairs_3;
   const float d2 = pairs_4 - pairs_5;
   const float twice = 2.0f * factor;
-  const float m_0a = q->x * q->y, m_0b = q->w * q->z, m_0 = m_0a - m_0b;
-  const float m_1a = q->w * q->y, m_1b = q->x * q->z, m_1 = m_1a + m_1b;
-  const float m_2a = q->y * q->z, m_2b = q->w * q->x, m_2 = m_2a - m_2b;
-  const float m_3 = m_0b + m_0a;
-  const float m_4 = m_1b - m_1a;
+  const float m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b;
+  const float m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b;
+  const float m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b;
+  const float m_3 = m_0a + m_0b;
+  const float m_4 = m_1a - m_1b;
   const float m_5 = m_2b + m_2a;
   const float R_00 = factor * d0;
   const float R_01 = twice * m_0;
@@ -955,7 +958,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 }
 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
-   R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+   R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
@@ -973,22 +976,22 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float d_1 = first_0 - others_0;
   const float d_2 = first_1 + others_1;
   const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? p_0 : p_1;
-  const float low_1 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_2 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_3 = R->m11 < R->m00 ? s_1 : s_0;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? p_2 : d_0;
-  const float high_1 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_2 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_3 = R->m00 < high_0a ? d_3 : p_2;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
   const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
   const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
   const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
   const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_0 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_0 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_0 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_0 < 0.0f ? upper_3a : column_3;
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
   const float length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
       length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
       length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrtf(length_g);
@@ -996,55 +999,55 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   const float qo_1 = upper_1 / length;
   const float qo_2 = upper_2 / length;
   const float qo_3 = upper_3 / length;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
-/* qo = (cos angle/2; axis sin angle/2); axis of length 1.
-   axis: vector; angle: number; qo: quaternion (w; x, y, z), the scalar first.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+   axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
   const float sine = sinf(half);
-  const float qo_0 = cosf(half);
-  const float qo_1 = axis->x * sine;
-  const float qo_2 = axis->y * sine;
-  const float qo_3 = axis->z * sine;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0 = axis->x * sine;
+  const float qo_1 = axis->y * sine;
+  const float qo_2 = axis->z * sine;
+  const float qo_3 = cosf(half);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
-   q: quaternion (w; x, y, z), the scalar first; axis: vector.
+   q: quaternion (x, y, z, w), the scalar last; axis: vector.
    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
-  const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
-  const float upper_2a = -q->y, upper_2 = q->w < 0.0f ? upper_2a : q->y;
-  const float upper_3a = -q->z, upper_3 = q->w < 0.0f ? upper_3a : q->z;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
+  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
+  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
+  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
@@ -1057,8 +1060,8 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   return angle;
 }
 
-/* qo = exp (0; v/2) = (cos θ/2; v/θ sin θ/2), θ = |v|: turns by the rotation vector v.
-   v: vector; qo: quaternion (w; x, y, z), the scalar first.
+/* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+   v: vector; qo: quaternion (x, y, z, w), the scalar last.
    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
    Error <= qo: 7 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
@@ -1086,94 +1089,95 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
       g2t = g2s + 0.0013888889f, g2u = x * g2t, g2v = g2u - 0.041666668f, g2w = x * g2v,
       g2 = g2w + 0.5f;
   const float near_a = x * g2, near = 1.0f - near_a;
-  const float qo_0 = x < 1.0f ? near : cosine;
-  const float qo_1 = h_0 * k;
-  const float qo_2 = h_1 * k;
-  const float qo_3 = h_2 * k;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0 = h_0 * k;
+  const float qo_1 = h_1 * k;
+  const float qo_2 = h_2 * k;
+  const float qo_3 = x < 1.0f ? near : cosine;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
-   q: quaternion (w; x, y, z), the scalar first; vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; vo: vector.
    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float upper_0a = -q->w, upper_0 = q->w < 0.0f ? upper_0a : q->w;
-  const float upper_1a = -q->x, upper_1 = q->w < 0.0f ? upper_1a : q->x;
-  const float upper_2a = -q->y, upper_2 = q->w < 0.0f ? upper_2a : q->y;
-  const float upper_3a = -q->z, upper_3 = q->w < 0.0f ? upper_3a : q->z;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
+  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
+  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
+  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = 2.0f * half;
   const float k = theta / divisor;
-  const float vector_0 = upper_1 * k;
-  const float vector_1 = upper_2 * k;
-  const float vector_2 = upper_3 * k;
+  const float vector_0 = upper_0 * k;
+  const float vector_1 = upper_1 * k;
+  const float vector_2 = upper_2 * k;
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
 }
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first; k: number.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
      select.
    Error <= qo: 12 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
-  const float between_0a = q1->w * q2->w, between_0b = q1->x * q2->x, between_0c = q1->y * q2->y,
-      between_0d = between_0b + between_0c, between_0e = q1->z * q2->z,
-      between_0f = between_0d + between_0e, between_0 = between_0a + between_0f;
-  const float between_1a = q1->w * q2->x, between_1b = q1->x * q2->w,
-      between_1c = between_1a - between_1b, between_1d = q1->z * q2->y, between_1e = q1->y * q2->z,
+  const float between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
+      between_0c = between_0a - between_0b, between_0d = q1->z * q2->y, between_0e = q1->y * q2->z,
+      between_0f = between_0d - between_0e, between_0 = between_0c + between_0f;
+  const float between_1a = q1->x * q2->z, between_1b = q1->z * q2->x,
+      between_1c = between_1a - between_1b, between_1d = q1->w * q2->y, between_1e = q1->y * q2->w,
       between_1f = between_1d - between_1e, between_1 = between_1c + between_1f;
-  const float between_2a = q1->w * q2->y, between_2b = q1->y * q2->w,
-      between_2c = between_2a - between_2b, between_2d = q1->x * q2->z, between_2e = q1->z * q2->x,
+  const float between_2a = q1->y * q2->x, between_2b = q1->x * q2->y,
+      between_2c = between_2a - between_2b, between_2d = q1->w * q2->z, between_2e = q1->z * q2->w,
       between_2f = between_2d - between_2e, between_2 = between_2c + between_2f;
-  const float between_3a = q1->w * q2->z, between_3b = q1->z * q2->w,
-      between_3c = between_3a - between_3b, between_3d = q1->y * q2->x, between_3e = q1->x * q2->y,
-      between_3f = between_3d - between_3e, between_3 = between_3c + between_3f;
-  const float upper_0a = -between_0, upper_0 = between_0 < 0.0f ? upper_0a : between_0;
-  const float upper_1a = -between_1, upper_1 = between_0 < 0.0f ? upper_1a : between_1;
-  const float upper_2a = -between_2, upper_2 = between_0 < 0.0f ? upper_2a : between_2;
-  const float upper_3a = -between_3, upper_3 = between_0 < 0.0f ? upper_3a : between_3;
-  const float v_s_size_0 = fabsf(upper_1);
-  const float v_s_size_1 = fabsf(upper_2);
-  const float v_s_size_2 = fabsf(upper_3);
+  const float between_3a = q1->x * q2->x, between_3b = q1->y * q2->y,
+      between_3c = between_3a + between_3b, between_3d = q1->z * q2->z,
+      between_3e = between_3c + between_3d, between_3f = q1->w * q2->w,
+      between_3 = between_3e + between_3f;
+  const float upper_0a = -between_0, upper_0 = between_3 < 0.0f ? upper_0a : between_0;
+  const float upper_1a = -between_1, upper_1 = between_3 < 0.0f ? upper_1a : between_1;
+  const float upper_2a = -between_2, upper_2 = between_3 < 0.0f ? upper_2a : between_2;
+  const float upper_3a = -between_3, upper_3 = between_3 < 0.0f ? upper_3a : between_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_1 * v_s;
-  const float v_y_1 = upper_2 * v_s;
-  const float v_y_2 = upper_3 * v_s;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
   const float n = v_n * v_r;
-  const float half = atan2f(n, upper_0);
+  const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float rate = half / divisor;
-  const float kv_0 = k * upper_1;
-  const float kv_1 = k * upper_2;
-  const float kv_2 = k * upper_3;
+  const float kv_0 = k * upper_0;
+  const float kv_1 = k * upper_1;
+  const float kv_2 = k * upper_2;
   const float step_0 = rate * kv_0;
   const float step_1 = rate * kv_1;
   const float step_2 = rate * kv_2;
@@ -1208,37 +1212,47 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
       exp_g2t = exp_g2s + 0.0013888889f, exp_g2u = exp_x * exp_g2t,
       exp_g2v = exp_g2u - 0.041666668f, exp_g2w = exp_x * exp_g2v, exp_g2 = exp_g2w + 0.5f;
   const float exp_near_a = exp_x * exp_g2, exp_near = 1.0f - exp_near_a;
-  const float power_0 = exp_x < 1.0f ? exp_near : exp_cosine;
-  const float power_1 = step_0 * exp_k;
-  const float power_2 = step_1 * exp_k;
-  const float power_3 = step_2 * exp_k;
-  const float qo_0a = q1->w * power_0, qo_0b = q1->x * power_1, qo_0c = q1->y * power_2,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * power_3, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const float qo_1a = q1->w * power_1, qo_1b = q1->x * power_0, qo_1c = q1->y * power_3,
-      qo_1d = qo_1b + qo_1c, qo_1e = q1->z * power_2, qo_1f = qo_1d - qo_1e, qo_1 = qo_1a + qo_1f;
-  const float qo_2a = q1->w * power_2, qo_2b = q1->y * power_0, qo_2c = q1->x * power_3,
-      qo_2d = qo_2b - qo_2c, qo_2e = q1->z * power_1, qo_2f = qo_2d + qo_2e, qo_2 = qo_2a + qo_2f;
-  const float qo_3a = q1->w * power_3, qo_3b = q1->x * power_2, qo_3c = q1->y * power_1,
-      qo_3d = qo_3b - qo_3c, qo_3e = q1->z * power_0, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float power_0 = step_0 * exp_k;
+  const float power_1 = step_1 * exp_k;
+  const float power_2 = step_2 * exp_k;
+  const float power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
+  const float qo_0a = q1->x * power_3, qo_0b = q1->y * power_2, qo_0c = q1->z * power_1,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * power_0, qo_0 = qo_0e + qo_0f;
+  const float qo_1a = q1->z * power_0, qo_1b = q1->x * power_2, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * power_3, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * power_1, qo_1 = qo_1e + qo_1f;
+  const float qo_2a = q1->x * power_1, qo_2b = q1->y * power_0, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * power_3, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * power_2, qo_2 = qo_2e + qo_2f;
+  const float qo_3a = q1->w * power_3, qo_3b = q1->x * power_0, qo_3c = q1->y * power_1,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * power_2, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_quaternion_t on the heap, to be freed by the caller; NULL for n <= 0 or when
+/* n ksl_quaternion_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
      there is no memory. */
 static inline ksl_quaternion_t *ksl_quaternion_alloc(int n) {
-  return n > 0 ? (ksl_quaternion_t *)calloc((size_t)n, sizeof(ksl_quaternion_t)) : NULL;
+  ksl_quaternion_t *const all =
+      n > 0 ? (ksl_quaternion_t *)calloc((size_t)n, sizeof(ksl_quaternion_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].w = 1.0;
+  }
+  return all;
 }
 
-/* n zeroed ksl_quaternionf_t on the heap, to be freed by the caller; NULL for n <= 0 or when
-     there is no memory. */
+/* n ksl_quaternionf_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or
+     when there is no memory. */
 static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
-  return n > 0 ? (ksl_quaternionf_t *)calloc((size_t)n, sizeof(ksl_quaternionf_t)) : NULL;
+  ksl_quaternionf_t *const all =
+      n > 0 ? (ksl_quaternionf_t *)calloc((size_t)n, sizeof(ksl_quaternionf_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].w = 1.0f;
+  }
+  return all;
 }
 
 #endif

@@ -1,5 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Quaternions q = (w; v): products, rotations, conversions, interpolation.
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
    Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_QUATERNION_CERTIFIED_H
 #define KSL_QUATERNION_CERTIFIED_H
@@ -7,14 +9,14 @@
 #include "ksl_types.h"
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
-   self, self_bound: quaternion (w; x, y, z), the scalar first; a: number.
+   self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternion_scale_certified(ksl_quaternion_t *self, const double a,
     ksl_quaternion_t *self_bound) {
-  const double self_0_new = self->w * a;
-  const double self_1_new = self->x * a;
-  const double self_2_new = self->y * a;
-  const double self_3_new = self->z * a;
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
       self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
@@ -27,76 +29,76 @@ static inline void ksl_quaternion_scale_certified(ksl_quaternion_t *self, const 
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
       self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
-  self_bound->w = self_0_new_error_bound;
-  self_bound->x = self_1_new_error_bound;
-  self_bound->y = self_2_new_error_bound;
-  self_bound->z = self_3_new_error_bound;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+  self_bound->x = self_0_new_error_bound;
+  self_bound->y = self_1_new_error_bound;
+  self_bound->z = self_2_new_error_bound;
+  self_bound->w = self_3_new_error_bound;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2); |error of qo| <= qo_bound unless inf or
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2); |error of qo| <= qo_bound unless inf or
      NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qq_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
-      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
-      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
-      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   const double qo_0b_abs = fabs(qo_0b), qo_0c_abs = fabs(qo_0c), qo_0d_size = qo_0b_abs + qo_0c_abs,
-      qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabs(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+      qo_0a_abs = fabs(qo_0a), qo_0e_size = qo_0a_abs + qo_0d_size, qo_0f_abs = fabs(qo_0f),
+      qo_0_size = qo_0e_size + qo_0f_abs;
   const double qo_1a_abs = fabs(qo_1a), qo_1b_abs = fabs(qo_1b), qo_1c_size = qo_1a_abs + qo_1b_abs,
-      qo_1d_abs = fabs(qo_1d), qo_1e_abs = fabs(qo_1e), qo_1f_size = qo_1d_abs + qo_1e_abs,
-      qo_1_size = qo_1c_size + qo_1f_size;
-  const double qo_2b_abs = fabs(qo_2b), qo_2c_abs = fabs(qo_2c), qo_2d_size = qo_2b_abs + qo_2c_abs,
-      qo_2a_abs = fabs(qo_2a), qo_2e_size = qo_2a_abs + qo_2d_size, qo_2f_abs = fabs(qo_2f),
+      qo_1d_abs = fabs(qo_1d), qo_1e_size = qo_1c_size + qo_1d_abs, qo_1f_abs = fabs(qo_1f),
+      qo_1_size = qo_1e_size + qo_1f_abs;
+  const double qo_2a_abs = fabs(qo_2a), qo_2b_abs = fabs(qo_2b), qo_2c_size = qo_2a_abs + qo_2b_abs,
+      qo_2d_abs = fabs(qo_2d), qo_2e_size = qo_2c_size + qo_2d_abs, qo_2f_abs = fabs(qo_2f),
       qo_2_size = qo_2e_size + qo_2f_abs;
   const double qo_3b_abs = fabs(qo_3b), qo_3c_abs = fabs(qo_3c), qo_3d_size = qo_3b_abs + qo_3c_abs,
-      qo_3a_abs = fabs(qo_3a), qo_3e_size = qo_3a_abs + qo_3d_size, qo_3f_abs = fabs(qo_3f),
-      qo_3_size = qo_3e_size + qo_3f_abs;
+      qo_3e_abs = fabs(qo_3e), qo_3f_size = qo_3d_size + qo_3e_abs, qo_3a_abs = fabs(qo_3a),
+      qo_3_size = qo_3a_abs + qo_3f_size;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
       qo_0_error_bound = 4.440892098500628e-16 * qo_0_padded;
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
-      qo_1_error_bound = 3.3306690738754706e-16 * qo_1_padded;
+      qo_1_error_bound = 4.440892098500628e-16 * qo_1_padded;
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
       qo_2_error_bound = 4.440892098500628e-16 * qo_2_padded;
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
       qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qconjq_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  const double qo_0b_abs = fabs(qo_0b), qo_0c_abs = fabs(qo_0c), qo_0d_size = qo_0b_abs + qo_0c_abs,
-      qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabs(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a_abs = fabs(qo_0a), qo_0b_abs = fabs(qo_0b), qo_0c_size = qo_0a_abs + qo_0b_abs,
+      qo_0d_abs = fabs(qo_0d), qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_abs + qo_0e_abs,
+      qo_0_size = qo_0c_size + qo_0f_size;
   const double qo_1a_abs = fabs(qo_1a), qo_1b_abs = fabs(qo_1b), qo_1c_size = qo_1a_abs + qo_1b_abs,
       qo_1d_abs = fabs(qo_1d), qo_1e_abs = fabs(qo_1e), qo_1f_size = qo_1d_abs + qo_1e_abs,
       qo_1_size = qo_1c_size + qo_1f_size;
@@ -104,42 +106,42 @@ static inline void ksl_product_qconjq_certified(const ksl_quaternion_t *q1,
       qo_2d_abs = fabs(qo_2d), qo_2e_abs = fabs(qo_2e), qo_2f_size = qo_2d_abs + qo_2e_abs,
       qo_2_size = qo_2c_size + qo_2f_size;
   const double qo_3a_abs = fabs(qo_3a), qo_3b_abs = fabs(qo_3b), qo_3c_size = qo_3a_abs + qo_3b_abs,
-      qo_3d_abs = fabs(qo_3d), qo_3e_abs = fabs(qo_3e), qo_3f_size = qo_3d_abs + qo_3e_abs,
-      qo_3_size = qo_3c_size + qo_3f_size;
+      qo_3d_abs = fabs(qo_3d), qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabs(qo_3f),
+      qo_3_size = qo_3e_size + qo_3f_abs;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
-      qo_0_error_bound = 4.440892098500628e-16 * qo_0_padded;
+      qo_0_error_bound = 3.3306690738754706e-16 * qo_0_padded;
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
       qo_1_error_bound = 3.3306690738754706e-16 * qo_1_padded;
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
       qo_2_error_bound = 3.3306690738754706e-16 * qo_2_padded;
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
-      qo_3_error_bound = 3.3306690738754706e-16 * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+      qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqconj_certified(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
-  const double qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const double qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  const double qo_0b_abs = fabs(qo_0b), qo_0c_abs = fabs(qo_0c), qo_0d_size = qo_0b_abs + qo_0c_abs,
-      qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabs(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a_abs = fabs(qo_0a), qo_0b_abs = fabs(qo_0b), qo_0c_size = qo_0a_abs + qo_0b_abs,
+      qo_0d_abs = fabs(qo_0d), qo_0e_abs = fabs(qo_0e), qo_0f_size = qo_0d_abs + qo_0e_abs,
+      qo_0_size = qo_0c_size + qo_0f_size;
   const double qo_1a_abs = fabs(qo_1a), qo_1b_abs = fabs(qo_1b), qo_1c_size = qo_1a_abs + qo_1b_abs,
       qo_1d_abs = fabs(qo_1d), qo_1e_abs = fabs(qo_1e), qo_1f_size = qo_1d_abs + qo_1e_abs,
       qo_1_size = qo_1c_size + qo_1f_size;
@@ -147,28 +149,28 @@ static inline void ksl_product_qqconj_certified(const ksl_quaternion_t *q1,
       qo_2d_abs = fabs(qo_2d), qo_2e_abs = fabs(qo_2e), qo_2f_size = qo_2d_abs + qo_2e_abs,
       qo_2_size = qo_2c_size + qo_2f_size;
   const double qo_3a_abs = fabs(qo_3a), qo_3b_abs = fabs(qo_3b), qo_3c_size = qo_3a_abs + qo_3b_abs,
-      qo_3d_abs = fabs(qo_3d), qo_3e_abs = fabs(qo_3e), qo_3f_size = qo_3d_abs + qo_3e_abs,
-      qo_3_size = qo_3c_size + qo_3f_size;
+      qo_3d_abs = fabs(qo_3d), qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabs(qo_3f),
+      qo_3_size = qo_3e_size + qo_3f_abs;
   const double qo_0_padded = qo_0_size + 2.004168360008973e-292,
-      qo_0_error_bound = 4.440892098500628e-16 * qo_0_padded;
+      qo_0_error_bound = 3.3306690738754706e-16 * qo_0_padded;
   const double qo_1_padded = qo_1_size + 2.004168360008973e-292,
       qo_1_error_bound = 3.3306690738754706e-16 * qo_1_padded;
   const double qo_2_padded = qo_2_size + 2.004168360008973e-292,
       qo_2_error_bound = 3.3306690738754706e-16 * qo_2_padded;
   const double qo_3_padded = qo_3_size + 2.004168360008973e-292,
-      qo_3_error_bound = 3.3306690738754706e-16 * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+      qo_3_error_bound = 4.440892098500628e-16 * qo_3_padded;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
-   q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
@@ -178,12 +180,12 @@ static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -196,19 +198,20 @@ static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl
   const double t_1_size = 2.0 * c_1_padded;
   const double c_2_padded = c_2_size + 2.004168360008973e-292;
   const double t_2_size = 2.0 * c_2_padded;
-  const double t_0_padded = t_0_size + 2.004168360008973e-292;
-  const double q_0_abs = fabs(q->w), turn_0a_size = q_0_abs * t_0_padded;
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
-  const double q_2_abs = fabs(q->y), turn_0b_size = q_2_abs * t_2_padded;
+  const double q_1_abs = fabs(q->y), turn_0a_size = q_1_abs * t_2_padded;
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
-  const double q_3_abs = fabs(q->z), turn_0c_size = q_3_abs * t_1_padded,
-      turn_0d_size = turn_0b_size + turn_0c_size, turn_0_size = turn_0a_size + turn_0d_size;
-  const double turn_1a_size = q_0_abs * t_1_padded, turn_1b_size = q_3_abs * t_0_padded,
-      q_1_abs = fabs(q->x), turn_1c_size = q_1_abs * t_2_padded,
-      turn_1d_size = turn_1b_size + turn_1c_size, turn_1_size = turn_1a_size + turn_1d_size;
-  const double turn_2a_size = q_0_abs * t_2_padded, turn_2b_size = q_1_abs * t_1_padded,
-      turn_2c_size = q_2_abs * t_0_padded, turn_2d_size = turn_2b_size + turn_2c_size,
-      turn_2_size = turn_2a_size + turn_2d_size;
+  const double q_2_abs = fabs(q->z), turn_0b_size = q_2_abs * t_1_padded,
+      turn_0c_size = turn_0a_size + turn_0b_size;
+  const double t_0_padded = t_0_size + 2.004168360008973e-292;
+  const double q_3_abs = fabs(q->w), turn_0d_size = q_3_abs * t_0_padded,
+      turn_0_size = turn_0c_size + turn_0d_size;
+  const double turn_1a_size = q_2_abs * t_0_padded, q_0_abs = fabs(q->x),
+      turn_1b_size = q_0_abs * t_2_padded, turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
+  const double turn_2a_size = q_0_abs * t_1_padded, turn_2b_size = q_1_abs * t_0_padded,
+      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
+      turn_2_size = turn_2c_size + turn_2d_size;
   const double v_0_abs = fabs(v->x), vo_0_size = v_0_abs + turn_0_size;
   const double v_1_abs = fabs(v->y), vo_1_size = v_1_abs + turn_1_size;
   const double v_2_abs = fabs(v->z), vo_2_size = v_2_abs + turn_2_size;
@@ -227,7 +230,7 @@ static inline void ksl_product_qv_certified(const ksl_quaternion_t *q, const ksl
 }
 
 /* vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
-   q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo, ksl_vec3_t *vo_bound) {
@@ -237,12 +240,12 @@ static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const double turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const double turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const double turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const double turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const double turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -255,19 +258,20 @@ static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const
   const double t_1_size = 2.0 * c_1_padded;
   const double c_2_padded = c_2_size + 2.004168360008973e-292;
   const double t_2_size = 2.0 * c_2_padded;
-  const double t_0_padded = t_0_size + 2.004168360008973e-292;
-  const double q_0_abs = fabs(q->w), turn_0a_size = q_0_abs * t_0_padded;
   const double t_1_padded = t_1_size + 2.004168360008973e-292;
-  const double q_3_abs = fabs(q->z), turn_0b_size = q_3_abs * t_1_padded;
+  const double q_2_abs = fabs(q->z), turn_0a_size = q_2_abs * t_1_padded;
   const double t_2_padded = t_2_size + 2.004168360008973e-292;
-  const double q_2_abs = fabs(q->y), turn_0c_size = q_2_abs * t_2_padded,
-      turn_0d_size = turn_0b_size + turn_0c_size, turn_0_size = turn_0a_size + turn_0d_size;
-  const double turn_1a_size = q_0_abs * t_1_padded, q_1_abs = fabs(q->x),
-      turn_1b_size = q_1_abs * t_2_padded, turn_1c_size = q_3_abs * t_0_padded,
-      turn_1d_size = turn_1b_size + turn_1c_size, turn_1_size = turn_1a_size + turn_1d_size;
-  const double turn_2a_size = q_0_abs * t_2_padded, turn_2b_size = q_2_abs * t_0_padded,
-      turn_2c_size = q_1_abs * t_1_padded, turn_2d_size = turn_2b_size + turn_2c_size,
-      turn_2_size = turn_2a_size + turn_2d_size;
+  const double q_1_abs = fabs(q->y), turn_0b_size = q_1_abs * t_2_padded,
+      turn_0c_size = turn_0a_size + turn_0b_size;
+  const double t_0_padded = t_0_size + 2.004168360008973e-292;
+  const double q_3_abs = fabs(q->w), turn_0d_size = q_3_abs * t_0_padded,
+      turn_0_size = turn_0c_size + turn_0d_size;
+  const double q_0_abs = fabs(q->x), turn_1a_size = q_0_abs * t_2_padded,
+      turn_1b_size = q_2_abs * t_0_padded, turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
+  const double turn_2a_size = q_1_abs * t_0_padded, turn_2b_size = q_0_abs * t_1_padded,
+      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
+      turn_2_size = turn_2c_size + turn_2d_size;
   const double v_0_abs = fabs(v->x), vo_0_size = v_0_abs + turn_0_size;
   const double v_1_abs = fabs(v->y), vo_1_size = v_1_abs + turn_1_size;
   const double v_2_abs = fabs(v->z), vo_2_size = v_2_abs + turn_2_size;
@@ -286,14 +290,14 @@ static inline void ksl_product_qconjv_certified(const ksl_quaternion_t *q, const
 }
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
-   self, self_bound: quaternion (w; x, y, z), the scalar first; a: number.
+   self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
    8 mul, 4 add, 4 abs. */
 static inline void ksl_quaternionf_scale_certified(ksl_quaternionf_t *self, const float a,
     ksl_quaternionf_t *self_bound) {
-  const float self_0_new = self->w * a;
-  const float self_1_new = self->x * a;
-  const float self_2_new = self->y * a;
-  const float self_3_new = self->z * a;
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
       self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
@@ -306,80 +310,80 @@ static inline void ksl_quaternionf_scale_certified(ksl_quaternionf_t *self, cons
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
       self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
-  self_bound->w = self_0_new_error_bound;
-  self_bound->x = self_1_new_error_bound;
-  self_bound->y = self_2_new_error_bound;
-  self_bound->z = self_3_new_error_bound;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+  self_bound->x = self_0_new_error_bound;
+  self_bound->y = self_1_new_error_bound;
+  self_bound->z = self_2_new_error_bound;
+  self_bound->w = self_3_new_error_bound;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2); |error of qo| <= qo_bound unless inf or
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2); |error of qo| <= qo_bound unless inf or
      NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a - qo_0f;
-  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a + qo_1b,
-      qo_1d = q1->y * q2->z, qo_1e = q1->z * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->w * q2->y, qo_2b = q1->z * q2->x, qo_2c = q1->x * q2->z,
-      qo_2d = qo_2b - qo_2c, qo_2e = qo_2a + qo_2d, qo_2f = q1->y * q2->w, qo_2 = qo_2e + qo_2f;
-  const float qo_3a = q1->w * q2->z, qo_3b = q1->x * q2->y, qo_3c = q1->y * q2->x,
-      qo_3d = qo_3b - qo_3c, qo_3e = qo_3a + qo_3d, qo_3f = q1->z * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
+      qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f;
+  const float qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d, qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f;
+  const float qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d, qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f;
+  const float qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
+      qo_3d = qo_3b + qo_3c, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
   const float qo_0b_abs = fabsf(qo_0b), qo_0c_abs = fabsf(qo_0c),
-      qo_0d_size = qo_0b_abs + qo_0c_abs, qo_0e_abs = fabsf(qo_0e),
-      qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabsf(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+      qo_0d_size = qo_0b_abs + qo_0c_abs, qo_0a_abs = fabsf(qo_0a),
+      qo_0e_size = qo_0a_abs + qo_0d_size, qo_0f_abs = fabsf(qo_0f),
+      qo_0_size = qo_0e_size + qo_0f_abs;
   const float qo_1a_abs = fabsf(qo_1a), qo_1b_abs = fabsf(qo_1b),
-      qo_1c_size = qo_1a_abs + qo_1b_abs, qo_1d_abs = fabsf(qo_1d), qo_1e_abs = fabsf(qo_1e),
-      qo_1f_size = qo_1d_abs + qo_1e_abs, qo_1_size = qo_1c_size + qo_1f_size;
-  const float qo_2b_abs = fabsf(qo_2b), qo_2c_abs = fabsf(qo_2c),
-      qo_2d_size = qo_2b_abs + qo_2c_abs, qo_2a_abs = fabsf(qo_2a),
-      qo_2e_size = qo_2a_abs + qo_2d_size, qo_2f_abs = fabsf(qo_2f),
+      qo_1c_size = qo_1a_abs + qo_1b_abs, qo_1d_abs = fabsf(qo_1d),
+      qo_1e_size = qo_1c_size + qo_1d_abs, qo_1f_abs = fabsf(qo_1f),
+      qo_1_size = qo_1e_size + qo_1f_abs;
+  const float qo_2a_abs = fabsf(qo_2a), qo_2b_abs = fabsf(qo_2b),
+      qo_2c_size = qo_2a_abs + qo_2b_abs, qo_2d_abs = fabsf(qo_2d),
+      qo_2e_size = qo_2c_size + qo_2d_abs, qo_2f_abs = fabsf(qo_2f),
       qo_2_size = qo_2e_size + qo_2f_abs;
   const float qo_3b_abs = fabsf(qo_3b), qo_3c_abs = fabsf(qo_3c),
-      qo_3d_size = qo_3b_abs + qo_3c_abs, qo_3a_abs = fabsf(qo_3a),
-      qo_3e_size = qo_3a_abs + qo_3d_size, qo_3f_abs = fabsf(qo_3f),
-      qo_3_size = qo_3e_size + qo_3f_abs;
+      qo_3d_size = qo_3b_abs + qo_3c_abs, qo_3e_abs = fabsf(qo_3e),
+      qo_3f_size = qo_3d_size + qo_3e_abs, qo_3a_abs = fabsf(qo_3a),
+      qo_3_size = qo_3a_abs + qo_3f_size;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
       qo_0_error_bound = 2.3841864e-07f * qo_0_padded;
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
-      qo_1_error_bound = 1.7881396e-07f * qo_1_padded;
+      qo_1_error_bound = 2.3841864e-07f * qo_1_padded;
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
       qo_2_error_bound = 2.3841864e-07f * qo_2_padded;
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
       qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const float qo_1a = q1->w * q2->x, qo_1b = q1->x * q2->w, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->w * q2->y, qo_2b = q1->y * q2->w, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->w * q2->z, qo_3b = q1->z * q2->w, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  const float qo_0b_abs = fabsf(qo_0b), qo_0c_abs = fabsf(qo_0c),
-      qo_0d_size = qo_0b_abs + qo_0c_abs, qo_0e_abs = fabsf(qo_0e),
-      qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabsf(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+  const float qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a_abs = fabsf(qo_0a), qo_0b_abs = fabsf(qo_0b),
+      qo_0c_size = qo_0a_abs + qo_0b_abs, qo_0d_abs = fabsf(qo_0d), qo_0e_abs = fabsf(qo_0e),
+      qo_0f_size = qo_0d_abs + qo_0e_abs, qo_0_size = qo_0c_size + qo_0f_size;
   const float qo_1a_abs = fabsf(qo_1a), qo_1b_abs = fabsf(qo_1b),
       qo_1c_size = qo_1a_abs + qo_1b_abs, qo_1d_abs = fabsf(qo_1d), qo_1e_abs = fabsf(qo_1e),
       qo_1f_size = qo_1d_abs + qo_1e_abs, qo_1_size = qo_1c_size + qo_1f_size;
@@ -387,43 +391,43 @@ static inline void ksl_product_qconjqf_certified(const ksl_quaternionf_t *q1,
       qo_2c_size = qo_2a_abs + qo_2b_abs, qo_2d_abs = fabsf(qo_2d), qo_2e_abs = fabsf(qo_2e),
       qo_2f_size = qo_2d_abs + qo_2e_abs, qo_2_size = qo_2c_size + qo_2f_size;
   const float qo_3a_abs = fabsf(qo_3a), qo_3b_abs = fabsf(qo_3b),
-      qo_3c_size = qo_3a_abs + qo_3b_abs, qo_3d_abs = fabsf(qo_3d), qo_3e_abs = fabsf(qo_3e),
-      qo_3f_size = qo_3d_abs + qo_3e_abs, qo_3_size = qo_3c_size + qo_3f_size;
+      qo_3c_size = qo_3a_abs + qo_3b_abs, qo_3d_abs = fabsf(qo_3d),
+      qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabsf(qo_3f),
+      qo_3_size = qo_3e_size + qo_3f_abs;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
-      qo_0_error_bound = 2.3841864e-07f * qo_0_padded;
+      qo_0_error_bound = 1.7881396e-07f * qo_0_padded;
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
       qo_1_error_bound = 1.7881396e-07f * qo_1_padded;
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
       qo_2_error_bound = 1.7881396e-07f * qo_2_padded;
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
-      qo_3_error_bound = 1.7881396e-07f * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+      qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-   q1, q2, qo, qo_bound: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
    20 mul, 28 add, 16 abs. */
 static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
-  const float qo_0a = q1->w * q2->w, qo_0b = q1->x * q2->x, qo_0c = q1->y * q2->y,
-      qo_0d = qo_0b + qo_0c, qo_0e = q1->z * q2->z, qo_0f = qo_0d + qo_0e, qo_0 = qo_0a + qo_0f;
-  const float qo_1a = q1->x * q2->w, qo_1b = q1->w * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1d = q1->z * q2->y, qo_1e = q1->y * q2->z, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->w, qo_2b = q1->w * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2d = q1->x * q2->z, qo_2e = q1->z * q2->x, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->z * q2->w, qo_3b = q1->w * q2->z, qo_3c = qo_3a - qo_3b,
-      qo_3d = q1->y * q2->x, qo_3e = q1->x * q2->y, qo_3f = qo_3d - qo_3e, qo_3 = qo_3c + qo_3f;
-  const float qo_0b_abs = fabsf(qo_0b), qo_0c_abs = fabsf(qo_0c),
-      qo_0d_size = qo_0b_abs + qo_0c_abs, qo_0e_abs = fabsf(qo_0e),
-      qo_0f_size = qo_0d_size + qo_0e_abs, qo_0a_abs = fabsf(qo_0a),
-      qo_0_size = qo_0a_abs + qo_0f_size;
+  const float qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+      qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+      qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+      qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+      qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d, qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f;
+  const float qo_0a_abs = fabsf(qo_0a), qo_0b_abs = fabsf(qo_0b),
+      qo_0c_size = qo_0a_abs + qo_0b_abs, qo_0d_abs = fabsf(qo_0d), qo_0e_abs = fabsf(qo_0e),
+      qo_0f_size = qo_0d_abs + qo_0e_abs, qo_0_size = qo_0c_size + qo_0f_size;
   const float qo_1a_abs = fabsf(qo_1a), qo_1b_abs = fabsf(qo_1b),
       qo_1c_size = qo_1a_abs + qo_1b_abs, qo_1d_abs = fabsf(qo_1d), qo_1e_abs = fabsf(qo_1e),
       qo_1f_size = qo_1d_abs + qo_1e_abs, qo_1_size = qo_1c_size + qo_1f_size;
@@ -431,28 +435,29 @@ static inline void ksl_product_qqconjf_certified(const ksl_quaternionf_t *q1,
       qo_2c_size = qo_2a_abs + qo_2b_abs, qo_2d_abs = fabsf(qo_2d), qo_2e_abs = fabsf(qo_2e),
       qo_2f_size = qo_2d_abs + qo_2e_abs, qo_2_size = qo_2c_size + qo_2f_size;
   const float qo_3a_abs = fabsf(qo_3a), qo_3b_abs = fabsf(qo_3b),
-      qo_3c_size = qo_3a_abs + qo_3b_abs, qo_3d_abs = fabsf(qo_3d), qo_3e_abs = fabsf(qo_3e),
-      qo_3f_size = qo_3d_abs + qo_3e_abs, qo_3_size = qo_3c_size + qo_3f_size;
+      qo_3c_size = qo_3a_abs + qo_3b_abs, qo_3d_abs = fabsf(qo_3d),
+      qo_3e_size = qo_3c_size + qo_3d_abs, qo_3f_abs = fabsf(qo_3f),
+      qo_3_size = qo_3e_size + qo_3f_abs;
   const float qo_0_padded = qo_0_size + 1.9721523e-31f,
-      qo_0_error_bound = 2.3841864e-07f * qo_0_padded;
+      qo_0_error_bound = 1.7881396e-07f * qo_0_padded;
   const float qo_1_padded = qo_1_size + 1.9721523e-31f,
       qo_1_error_bound = 1.7881396e-07f * qo_1_padded;
   const float qo_2_padded = qo_2_size + 1.9721523e-31f,
       qo_2_error_bound = 1.7881396e-07f * qo_2_padded;
   const float qo_3_padded = qo_3_size + 1.9721523e-31f,
-      qo_3_error_bound = 1.7881396e-07f * qo_3_padded;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
-  qo_bound->w = qo_0_error_bound;
-  qo_bound->x = qo_1_error_bound;
-  qo_bound->y = qo_2_error_bound;
-  qo_bound->z = qo_3_error_bound;
+      qo_3_error_bound = 2.3841864e-07f * qo_3_padded;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_0_error_bound;
+  qo_bound->y = qo_1_error_bound;
+  qo_bound->z = qo_2_error_bound;
+  qo_bound->w = qo_3_error_bound;
 }
 
 /* vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
-   q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
@@ -462,12 +467,12 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const k
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->w * t_0, turn_0b = q->y * t_2, turn_0c = q->z * t_1,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const float turn_1a = q->w * t_1, turn_1b = q->z * t_0, turn_1c = q->x * t_2,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const float turn_2a = q->w * t_2, turn_2b = q->x * t_1, turn_2c = q->y * t_0,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float turn_0a = q->y * t_2, turn_0b = q->z * t_1, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const float turn_1a = q->z * t_0, turn_1b = q->x * t_2, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const float turn_2a = q->x * t_1, turn_2b = q->y * t_0, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -480,19 +485,20 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const k
   const float t_1_size = 2.0f * c_1_padded;
   const float c_2_padded = c_2_size + 1.9721523e-31f;
   const float t_2_size = 2.0f * c_2_padded;
-  const float t_0_padded = t_0_size + 1.9721523e-31f;
-  const float q_0_abs = fabsf(q->w), turn_0a_size = q_0_abs * t_0_padded;
   const float t_2_padded = t_2_size + 1.9721523e-31f;
-  const float q_2_abs = fabsf(q->y), turn_0b_size = q_2_abs * t_2_padded;
+  const float q_1_abs = fabsf(q->y), turn_0a_size = q_1_abs * t_2_padded;
   const float t_1_padded = t_1_size + 1.9721523e-31f;
-  const float q_3_abs = fabsf(q->z), turn_0c_size = q_3_abs * t_1_padded,
-      turn_0d_size = turn_0b_size + turn_0c_size, turn_0_size = turn_0a_size + turn_0d_size;
-  const float turn_1a_size = q_0_abs * t_1_padded, turn_1b_size = q_3_abs * t_0_padded,
-      q_1_abs = fabsf(q->x), turn_1c_size = q_1_abs * t_2_padded,
-      turn_1d_size = turn_1b_size + turn_1c_size, turn_1_size = turn_1a_size + turn_1d_size;
-  const float turn_2a_size = q_0_abs * t_2_padded, turn_2b_size = q_1_abs * t_1_padded,
-      turn_2c_size = q_2_abs * t_0_padded, turn_2d_size = turn_2b_size + turn_2c_size,
-      turn_2_size = turn_2a_size + turn_2d_size;
+  const float q_2_abs = fabsf(q->z), turn_0b_size = q_2_abs * t_1_padded,
+      turn_0c_size = turn_0a_size + turn_0b_size;
+  const float t_0_padded = t_0_size + 1.9721523e-31f;
+  const float q_3_abs = fabsf(q->w), turn_0d_size = q_3_abs * t_0_padded,
+      turn_0_size = turn_0c_size + turn_0d_size;
+  const float turn_1a_size = q_2_abs * t_0_padded, q_0_abs = fabsf(q->x),
+      turn_1b_size = q_0_abs * t_2_padded, turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
+  const float turn_2a_size = q_0_abs * t_1_padded, turn_2b_size = q_1_abs * t_0_padded,
+      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
+      turn_2_size = turn_2c_size + turn_2d_size;
   const float v_0_abs = fabsf(v->x), vo_0_size = v_0_abs + turn_0_size;
   const float v_1_abs = fabsf(v->y), vo_1_size = v_1_abs + turn_1_size;
   const float v_2_abs = fabsf(v->z), vo_2_size = v_2_abs + turn_2_size;
@@ -511,7 +517,7 @@ static inline void ksl_product_qvf_certified(const ksl_quaternionf_t *q, const k
 }
 
 /* vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
-   q: quaternion (w; x, y, z), the scalar first; v, vo, vo_bound: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
    33 mul, 33 add, 13 abs. */
 static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo, ksl_vec3f_t *vo_bound) {
@@ -521,12 +527,12 @@ static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, con
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->w * t_0, turn_0b = q->z * t_1, turn_0c = q->y * t_2,
-      turn_0d = turn_0b - turn_0c, turn_0 = turn_0a + turn_0d;
-  const float turn_1a = q->w * t_1, turn_1b = q->x * t_2, turn_1c = q->z * t_0,
-      turn_1d = turn_1b - turn_1c, turn_1 = turn_1a + turn_1d;
-  const float turn_2a = q->w * t_2, turn_2b = q->y * t_0, turn_2c = q->x * t_1,
-      turn_2d = turn_2b - turn_2c, turn_2 = turn_2a + turn_2d;
+  const float turn_0a = q->z * t_1, turn_0b = q->y * t_2, turn_0c = turn_0a - turn_0b,
+      turn_0d = q->w * t_0, turn_0 = turn_0c + turn_0d;
+  const float turn_1a = q->x * t_2, turn_1b = q->z * t_0, turn_1c = turn_1a - turn_1b,
+      turn_1d = q->w * t_1, turn_1 = turn_1c + turn_1d;
+  const float turn_2a = q->y * t_0, turn_2b = q->x * t_1, turn_2c = turn_2a - turn_2b,
+      turn_2d = q->w * t_2, turn_2 = turn_2c + turn_2d;
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -539,19 +545,20 @@ static inline void ksl_product_qconjvf_certified(const ksl_quaternionf_t *q, con
   const float t_1_size = 2.0f * c_1_padded;
   const float c_2_padded = c_2_size + 1.9721523e-31f;
   const float t_2_size = 2.0f * c_2_padded;
-  const float t_0_padded = t_0_size + 1.9721523e-31f;
-  const float q_0_abs = fabsf(q->w), turn_0a_size = q_0_abs * t_0_padded;
   const float t_1_padded = t_1_size + 1.9721523e-31f;
-  const float q_3_abs = fabsf(q->z), turn_0b_size = q_3_abs * t_1_padded;
+  const float q_2_abs = fabsf(q->z), turn_0a_size = q_2_abs * t_1_padded;
   const float t_2_padded = t_2_size + 1.9721523e-31f;
-  const float q_2_abs = fabsf(q->y), turn_0c_size = q_2_abs * t_2_padded,
-      turn_0d_size = turn_0b_size + turn_0c_size, turn_0_size = turn_0a_size + turn_0d_size;
-  const float turn_1a_size = q_0_abs * t_1_padded, q_1_abs = fabsf(q->x),
-      turn_1b_size = q_1_abs * t_2_padded, turn_1c_size = q_3_abs * t_0_padded,
-      turn_1d_size = turn_1b_size + turn_1c_size, turn_1_size = turn_1a_size + turn_1d_size;
-  const float turn_2a_size = q_0_abs * t_2_padded, turn_2b_size = q_2_abs * t_0_padded,
-      turn_2c_size = q_1_abs * t_1_padded, turn_2d_size = turn_2b_size + turn_2c_size,
-      turn_2_size = turn_2a_size + turn_2d_size;
+  const float q_1_abs = fabsf(q->y), turn_0b_size = q_1_abs * t_2_padded,
+      turn_0c_size = turn_0a_size + turn_0b_size;
+  const float t_0_padded = t_0_size + 1.9721523e-31f;
+  const float q_3_abs = fabsf(q->w), turn_0d_size = q_3_abs * t_0_padded,
+      turn_0_size = turn_0c_size + turn_0d_size;
+  const float q_0_abs = fabsf(q->x), turn_1a_size = q_0_abs * t_2_padded,
+      turn_1b_size = q_2_abs * t_0_padded, turn_1c_size = turn_1a_size + turn_1b_size,
+      turn_1d_size = q_3_abs * t_1_padded, turn_1_size = turn_1c_size + turn_1d_size;
+  const float turn_2a_size = q_1_abs * t_0_padded, turn_2b_size = q_0_abs * t_1_padded,
+      turn_2c_size = turn_2a_size + turn_2b_size, turn_2d_size = q_3_abs * t_2_padded,
+      turn_2_size = turn_2c_size + turn_2d_size;
   const float v_0_abs = fabsf(v->x), vo_0_size = v_0_abs + turn_0_size;
   const float v_1_abs = fabsf(v->y), vo_1_size = v_1_abs + turn_1_size;
   const float v_2_abs = fabsf(v->z), vo_2_size = v_2_abs + turn_2_size;

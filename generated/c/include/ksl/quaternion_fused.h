@@ -1,5 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
-/* Quaternions q = (w; v): products, rotations, conversions, interpolation.
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
    Fused tier: products fused into sums. */
 #ifndef KSL_QUATERNION_FUSED_H
 #define KSL_QUATERNION_FUSED_H
@@ -7,85 +9,85 @@
 #include "ksl_types.h"
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->w * a;
-  const double self_1_new = self->x * a;
-  const double self_2_new = self->y * a;
-  const double self_3_new = self->z * a;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   5 mul, 1 add, 11 fma.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
-      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, -qo_0f);
-  const double qo_1a = q1->w * q2->x, qo_1c = fma(q1->x, q2->w, qo_1a), qo_1d = q1->y * q2->z,
-      qo_1f = fma(-q1->z, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2b = q1->z * q2->x, qo_2d = fma(-q1->x, q2->z, qo_2b),
-      qo_2e = fma(q1->w, q2->y, qo_2d), qo_2 = fma(q1->y, q2->w, qo_2e);
-  const double qo_3b = q1->x * q2->y, qo_3d = fma(-q1->y, q2->x, qo_3b),
-      qo_3e = fma(q1->w, q2->z, qo_3d), qo_3 = fma(q1->z, q2->w, qo_3e);
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0b = q1->y * q2->z, qo_0d = fma(-q1->z, q2->y, qo_0b),
+      qo_0e = fma(q1->x, q2->w, qo_0d), qo_0 = fma(q1->w, q2->x, qo_0e);
+  const double qo_1a = q1->z * q2->x, qo_1c = fma(-q1->x, q2->z, qo_1a),
+      qo_1e = fma(q1->y, q2->w, qo_1c), qo_1 = fma(q1->w, q2->y, qo_1e);
+  const double qo_2a = q1->x * q2->y, qo_2c = fma(-q1->y, q2->x, qo_2a),
+      qo_2e = fma(q1->z, q2->w, qo_2c), qo_2 = fma(q1->w, q2->z, qo_2e);
+  const double qo_3b = q1->x * q2->x, qo_3d = fma(q1->y, q2->y, qo_3b),
+      qo_3f = fma(q1->z, q2->z, qo_3d), qo_3 = fma(q1->w, q2->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    7 mul, 3 add, 9 fma.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
-      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, qo_0f);
-  const double qo_1a = q1->w * q2->x, qo_1c = fma(-q1->x, q2->w, qo_1a), qo_1d = q1->z * q2->y,
-      qo_1f = fma(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->w * q2->y, qo_2c = fma(-q1->y, q2->w, qo_2a), qo_2d = q1->x * q2->z,
-      qo_2f = fma(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->w * q2->z, qo_3c = fma(-q1->z, q2->w, qo_3a), qo_3d = q1->y * q2->x,
-      qo_3f = fma(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0a = q1->w * q2->x, qo_0c = fma(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
+      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
+      qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
+      qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+      qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    7 mul, 3 add, 9 fma.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0b = q1->x * q2->x, qo_0d = fma(q1->y, q2->y, qo_0b),
-      qo_0f = fma(q1->z, q2->z, qo_0d), qo_0 = fma(q1->w, q2->w, qo_0f);
-  const double qo_1a = q1->x * q2->w, qo_1c = fma(-q1->w, q2->x, qo_1a), qo_1d = q1->z * q2->y,
-      qo_1f = fma(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->w, qo_2c = fma(-q1->w, q2->y, qo_2a), qo_2d = q1->x * q2->z,
-      qo_2f = fma(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->z * q2->w, qo_3c = fma(-q1->w, q2->z, qo_3a), qo_3d = q1->y * q2->x,
-      qo_3f = fma(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const double qo_0a = q1->x * q2->w, qo_0c = fma(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
+      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
+      qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
+      qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
+      qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -97,12 +99,12 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0b = q->y * t_2, turn_0d = fma(-q->z, t_1, turn_0b),
-      turn_0 = fma(q->w, t_0, turn_0d);
-  const double turn_1b = q->z * t_0, turn_1d = fma(-q->x, t_2, turn_1b),
-      turn_1 = fma(q->w, t_1, turn_1d);
-  const double turn_2b = q->x * t_1, turn_2d = fma(-q->y, t_0, turn_2b),
-      turn_2 = fma(q->w, t_2, turn_2d);
+  const double turn_0a = q->y * t_2, turn_0c = fma(-q->z, t_1, turn_0a),
+      turn_0 = fma(q->w, t_0, turn_0c);
+  const double turn_1a = q->z * t_0, turn_1c = fma(-q->x, t_2, turn_1a),
+      turn_1 = fma(q->w, t_1, turn_1c);
+  const double turn_2a = q->x * t_1, turn_2c = fma(-q->y, t_0, turn_2a),
+      turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -112,7 +114,7 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -124,12 +126,12 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
   const double t_0 = 2.0 * c_0;
   const double t_1 = 2.0 * c_1;
   const double t_2 = 2.0 * c_2;
-  const double turn_0b = q->z * t_1, turn_0d = fma(-q->y, t_2, turn_0b),
-      turn_0 = fma(q->w, t_0, turn_0d);
-  const double turn_1b = q->x * t_2, turn_1d = fma(-q->z, t_0, turn_1b),
-      turn_1 = fma(q->w, t_1, turn_1d);
-  const double turn_2b = q->y * t_0, turn_2d = fma(-q->x, t_1, turn_2b),
-      turn_2 = fma(q->w, t_2, turn_2d);
+  const double turn_0a = q->z * t_1, turn_0c = fma(-q->y, t_2, turn_0a),
+      turn_0 = fma(q->w, t_0, turn_0c);
+  const double turn_1a = q->x * t_2, turn_1c = fma(-q->z, t_0, turn_1a),
+      turn_1 = fma(q->w, t_1, turn_1c);
+  const double turn_2a = q->y * t_0, turn_2c = fma(-q->x, t_1, turn_2a),
+      turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
   const double vo_2 = v->z + turn_2;
@@ -139,85 +141,85 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
 }
 
 /* self = a self.
-   self: quaternion (w; x, y, z), the scalar first; a: number.
+   self: quaternion (x, y, z, w), the scalar last; a: number.
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->w * a;
-  const float self_1_new = self->x * a;
-  const float self_2_new = self->y * a;
-  const float self_3_new = self->z * a;
-  self->w = self_0_new;
-  self->x = self_1_new;
-  self->y = self_2_new;
-  self->z = self_3_new;
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
 }
 
-/* qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-   5 mul, 1 add, 11 fma.
+/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
-      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, -qo_0f);
-  const float qo_1a = q1->w * q2->x, qo_1c = fmaf(q1->x, q2->w, qo_1a), qo_1d = q1->y * q2->z,
-      qo_1f = fmaf(-q1->z, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2b = q1->z * q2->x, qo_2d = fmaf(-q1->x, q2->z, qo_2b),
-      qo_2e = fmaf(q1->w, q2->y, qo_2d), qo_2 = fmaf(q1->y, q2->w, qo_2e);
-  const float qo_3b = q1->x * q2->y, qo_3d = fmaf(-q1->y, q2->x, qo_3b),
-      qo_3e = fmaf(q1->w, q2->z, qo_3d), qo_3 = fmaf(q1->z, q2->w, qo_3e);
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0b = q1->y * q2->z, qo_0d = fmaf(-q1->z, q2->y, qo_0b),
+      qo_0e = fmaf(q1->x, q2->w, qo_0d), qo_0 = fmaf(q1->w, q2->x, qo_0e);
+  const float qo_1a = q1->z * q2->x, qo_1c = fmaf(-q1->x, q2->z, qo_1a),
+      qo_1e = fmaf(q1->y, q2->w, qo_1c), qo_1 = fmaf(q1->w, q2->y, qo_1e);
+  const float qo_2a = q1->x * q2->y, qo_2c = fmaf(-q1->y, q2->x, qo_2a),
+      qo_2e = fmaf(q1->z, q2->w, qo_2c), qo_2 = fmaf(q1->w, q2->z, qo_2e);
+  const float qo_3b = q1->x * q2->x, qo_3d = fmaf(q1->y, q2->y, qo_3b),
+      qo_3f = fmaf(q1->z, q2->z, qo_3d), qo_3 = fmaf(q1->w, q2->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    7 mul, 3 add, 9 fma.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
-      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, qo_0f);
-  const float qo_1a = q1->w * q2->x, qo_1c = fmaf(-q1->x, q2->w, qo_1a), qo_1d = q1->z * q2->y,
-      qo_1f = fmaf(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->w * q2->y, qo_2c = fmaf(-q1->y, q2->w, qo_2a), qo_2d = q1->x * q2->z,
-      qo_2f = fmaf(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->w * q2->z, qo_3c = fmaf(-q1->z, q2->w, qo_3a), qo_3d = q1->y * q2->x,
-      qo_3f = fmaf(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0a = q1->w * q2->x, qo_0c = fmaf(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
+      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
+      qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
+      qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+      qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
    7 mul, 3 add, 9 fma.
-   Error <= u |result| + (w: 3, v: 2) u S, S the sum of the |terms| of the expanded formula;
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->x * q2->x, qo_0d = fmaf(q1->y, q2->y, qo_0b),
-      qo_0f = fmaf(q1->z, q2->z, qo_0d), qo_0 = fmaf(q1->w, q2->w, qo_0f);
-  const float qo_1a = q1->x * q2->w, qo_1c = fmaf(-q1->w, q2->x, qo_1a), qo_1d = q1->z * q2->y,
-      qo_1f = fmaf(-q1->y, q2->z, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->w, qo_2c = fmaf(-q1->w, q2->y, qo_2a), qo_2d = q1->x * q2->z,
-      qo_2f = fmaf(-q1->z, q2->x, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->z * q2->w, qo_3c = fmaf(-q1->w, q2->z, qo_3a), qo_3d = q1->y * q2->x,
-      qo_3f = fmaf(-q1->x, q2->y, qo_3d), qo_3 = qo_3c + qo_3f;
-  qo->w = qo_0;
-  qo->x = qo_1;
-  qo->y = qo_2;
-  qo->z = qo_3;
+  const float qo_0a = q1->x * q2->w, qo_0c = fmaf(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
+      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
+      qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
+      qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
+      qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
 }
 
 /* vo = R(q) v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -229,12 +231,12 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0b = q->y * t_2, turn_0d = fmaf(-q->z, t_1, turn_0b),
-      turn_0 = fmaf(q->w, t_0, turn_0d);
-  const float turn_1b = q->z * t_0, turn_1d = fmaf(-q->x, t_2, turn_1b),
-      turn_1 = fmaf(q->w, t_1, turn_1d);
-  const float turn_2b = q->x * t_1, turn_2d = fmaf(-q->y, t_0, turn_2b),
-      turn_2 = fmaf(q->w, t_2, turn_2d);
+  const float turn_0a = q->y * t_2, turn_0c = fmaf(-q->z, t_1, turn_0a),
+      turn_0 = fmaf(q->w, t_0, turn_0c);
+  const float turn_1a = q->z * t_0, turn_1c = fmaf(-q->x, t_2, turn_1a),
+      turn_1 = fmaf(q->w, t_1, turn_1c);
+  const float turn_2a = q->x * t_1, turn_2c = fmaf(-q->y, t_0, turn_2a),
+      turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;
@@ -244,7 +246,7 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
 }
 
 /* vo = R(q)^T v, |q| = 1.
-   q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+   q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
@@ -256,12 +258,12 @@ static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const k
   const float t_0 = 2.0f * c_0;
   const float t_1 = 2.0f * c_1;
   const float t_2 = 2.0f * c_2;
-  const float turn_0b = q->z * t_1, turn_0d = fmaf(-q->y, t_2, turn_0b),
-      turn_0 = fmaf(q->w, t_0, turn_0d);
-  const float turn_1b = q->x * t_2, turn_1d = fmaf(-q->z, t_0, turn_1b),
-      turn_1 = fmaf(q->w, t_1, turn_1d);
-  const float turn_2b = q->y * t_0, turn_2d = fmaf(-q->x, t_1, turn_2b),
-      turn_2 = fmaf(q->w, t_2, turn_2d);
+  const float turn_0a = q->z * t_1, turn_0c = fmaf(-q->y, t_2, turn_0a),
+      turn_0 = fmaf(q->w, t_0, turn_0c);
+  const float turn_1a = q->x * t_2, turn_1c = fmaf(-q->z, t_0, turn_1a),
+      turn_1 = fmaf(q->w, t_1, turn_1c);
+  const float turn_2a = q->y * t_0, turn_2c = fmaf(-q->x, t_1, turn_2a),
+      turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
   const float vo_2 = v->z + turn_2;

@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω). */
 #ifndef KSL_SCREW_H
 #define KSL_SCREW_H
@@ -2185,13 +2187,13 @@ static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_screw_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_screw_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_screw_t *ksl_screw_alloc(int n) {
   return n > 0 ? (ksl_screw_t *)calloc((size_t)n, sizeof(ksl_screw_t)) : NULL;
 }
 
-/* n zeroed ksl_screwf_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_screwf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
   return n > 0 ? (ksl_screwf_t *)calloc((size_t)n, sizeof(ksl_screwf_t)) : NULL;

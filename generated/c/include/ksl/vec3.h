@@ -1,4 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Vectors of three components. */
 #ifndef KSL_VEC3_H
 #define KSL_VEC3_H
@@ -909,13 +911,13 @@ static inline void ksl_add_vvzinvf(const ksl_vec3f_t *v, const float k, ksl_vec3
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n zeroed ksl_vec3_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec3_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec3_t *ksl_vec3_alloc(int n) {
   return n > 0 ? (ksl_vec3_t *)calloc((size_t)n, sizeof(ksl_vec3_t)) : NULL;
 }
 
-/* n zeroed ksl_vec3f_t on the heap, to be freed by the caller; NULL for n <= 0 or when there is
+/* n ksl_vec3f_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
      no memory. */
 static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
   return n > 0 ? (ksl_vec3f_t *)calloc((size_t)n, sizeof(ksl_vec3f_t)) : NULL;

@@ -1,5 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
-"""Quaternions q = (w; v): products, rotations, conversions, interpolation.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+"""Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
 
 In double precision, accurate tier.
 """
@@ -13,7 +15,7 @@ from coscrew._kernel import double_kernel as kernel
 def quaternion_scale(self, a):
     """self = a self.
 
-    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
     self_0, self_1, self_2, self_3 = self
@@ -30,9 +32,9 @@ def quaternion_scale(self, a):
 
 @kernel("(4)->()")
 def quaternion_norm(q):
-    """|q| = sqrt(w^2 + v·v).
+    """|q| = sqrt(v·v + w^2).
 
-    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
     12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
     select.
     """
@@ -88,7 +90,7 @@ def quaternion_norm(q):
 def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
@@ -225,7 +227,7 @@ def quaternion_normalize(self):
 def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
     select.
     """
@@ -356,79 +358,78 @@ def quaternion_normalized(q):
 
 @kernel("(4),(4)->(4)")
 def product_qq(q1, q2):
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_0 * q2_0
-    qo_0b = q1_1 * q2_1
-    qo_0c = q1_2 * q2_2
-    qo_0d = qo_0b + qo_0c
-    qo_0d_right = qo_0d - qo_0b
-    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
-    qo_0e = q1_3 * q2_3
-    qo_0f = qo_0d + qo_0e
-    qo_0f_right = qo_0f - qo_0d
-    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
-    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
-    qo_0 = qo_0a - qo_0f
-    qo_0_right = qo_0a - qo_0
-    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 + qo_0_right) - (qo_0f - qo_0_right)
-    qo_0_lo = qo_0_lo1 - qo_0f_lo
-    qo_1a = q1_0 * q2_1
-    qo_1b = q1_1 * q2_0
-    qo_1c = qo_1a + qo_1b
-    qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(q1_0, q2_1, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(q1_1, q2_0, qo_1b, qo_1c_right)
-    qo_1d = q1_2 * q2_3
-    qo_1e = q1_3 * q2_2
-    qo_1f = qo_1d - qo_1e
-    qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1_2, q2_3, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1_3, q2_2, qo_1e, qo_1f_right)
-    qo_1 = qo_1c + qo_1f
-    qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
-    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
-    qo_1_lo = qo_1_lo2 + qo_1c_lo
-    qo_2a = q1_0 * q2_2
-    qo_2b = q1_3 * q2_1
-    qo_2c = q1_1 * q2_3
-    qo_2d = qo_2b - qo_2c
-    qo_2d_right = qo_2b - qo_2d
-    qo_2d_left_rest = product_rest(q1_3, q2_1, qo_2b, qo_2d + qo_2d_right)
-    qo_2d_lo = qo_2d_left_rest - product_rest(q1_1, q2_3, qo_2c, qo_2d_right)
-    qo_2e = qo_2a + qo_2d
-    qo_2e_right = qo_2e - qo_2a
-    qo_2e_lo1 = product_rest(q1_0, q2_2, qo_2a, qo_2e - qo_2e_right) + (qo_2d - qo_2e_right)
-    qo_2e_lo = qo_2e_lo1 + qo_2d_lo
-    qo_2f = q1_2 * q2_0
+    qo_0a = q1_0 * q2_3
+    qo_0b = q1_1 * q2_2
+    qo_0c = q1_2 * q2_1
+    qo_0d = qo_0b - qo_0c
+    qo_0d_right = qo_0b - qo_0d
+    qo_0d_left_rest = product_rest(q1_1, q2_2, qo_0b, qo_0d + qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest - product_rest(q1_2, q2_1, qo_0c, qo_0d_right)
+    qo_0e = qo_0a + qo_0d
+    qo_0e_right = qo_0e - qo_0a
+    qo_0e_lo1 = product_rest(q1_0, q2_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+    qo_0e_lo = qo_0e_lo1 + qo_0d_lo
+    qo_0f = q1_3 * q2_0
+    qo_0 = qo_0e + qo_0f
+    qo_0_right = qo_0 - qo_0e
+    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1_3, q2_0, qo_0f, qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0e_lo
+    qo_1a = q1_2 * q2_0
+    qo_1b = q1_0 * q2_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1_2, q2_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1_0, q2_2, qo_1b, qo_1c_right)
+    qo_1d = q1_1 * q2_3
+    qo_1e = qo_1c + qo_1d
+    qo_1e_right = qo_1e - qo_1c
+    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1_1, q2_3, qo_1d, qo_1e_right)
+    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
+    qo_1f = q1_3 * q2_1
+    qo_1 = qo_1e + qo_1f
+    qo_1_right = qo_1 - qo_1e
+    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1_3, q2_1, qo_1f, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1e_lo
+    qo_2a = q1_0 * q2_1
+    qo_2b = q1_1 * q2_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1_0, q2_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1_1, q2_0, qo_2b, qo_2c_right)
+    qo_2d = q1_2 * q2_3
+    qo_2e = qo_2c + qo_2d
+    qo_2e_right = qo_2e - qo_2c
+    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1_2, q2_3, qo_2d, qo_2e_right)
+    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
+    qo_2f = q1_3 * q2_2
     qo_2 = qo_2e + qo_2f
     qo_2_right = qo_2 - qo_2e
-    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_2, q2_0, qo_2f, qo_2_right)
+    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_3, q2_2, qo_2f, qo_2_right)
     qo_2_lo = qo_2_lo1 + qo_2e_lo
-    qo_3a = q1_0 * q2_3
-    qo_3b = q1_1 * q2_2
-    qo_3c = q1_2 * q2_1
-    qo_3d = qo_3b - qo_3c
-    qo_3d_right = qo_3b - qo_3d
-    qo_3d_left_rest = product_rest(q1_1, q2_2, qo_3b, qo_3d + qo_3d_right)
-    qo_3d_lo = qo_3d_left_rest - product_rest(q1_2, q2_1, qo_3c, qo_3d_right)
-    qo_3e = qo_3a + qo_3d
-    qo_3e_right = qo_3e - qo_3a
-    qo_3e_lo1 = product_rest(q1_0, q2_3, qo_3a, qo_3e - qo_3e_right) + (qo_3d - qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3d_lo
-    qo_3f = q1_3 * q2_0
-    qo_3 = qo_3e + qo_3f
-    qo_3_right = qo_3 - qo_3e
-    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_0, qo_3f, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3e_lo
+    qo_3a = q1_3 * q2_3
+    qo_3b = q1_0 * q2_0
+    qo_3c = q1_1 * q2_1
+    qo_3d = qo_3b + qo_3c
+    qo_3d_right = qo_3d - qo_3b
+    qo_3d_left_rest = product_rest(q1_0, q2_0, qo_3b, qo_3d - qo_3d_right)
+    qo_3d_lo = qo_3d_left_rest + product_rest(q1_1, q2_1, qo_3c, qo_3d_right)
+    qo_3e = q1_2 * q2_2
+    qo_3f = qo_3d + qo_3e
+    qo_3f_right = qo_3f - qo_3d
+    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1_2, q2_2, qo_3e, qo_3f_right)
+    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
+    qo_3 = qo_3a - qo_3f
+    qo_3_right = qo_3a - qo_3
+    qo_3_lo1 = product_rest(q1_3, q2_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
+    qo_3_lo = qo_3_lo1 - qo_3f_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -440,79 +441,79 @@ def product_qq(q1, q2):
 def product_qconjq(q1, q2):
     """qo = q1* q2, q1* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
     the |terms| of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_0 * q2_0
-    qo_0b = q1_1 * q2_1
-    qo_0c = q1_2 * q2_2
-    qo_0d = qo_0b + qo_0c
-    qo_0d_right = qo_0d - qo_0b
-    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
-    qo_0e = q1_3 * q2_3
-    qo_0f = qo_0d + qo_0e
-    qo_0f_right = qo_0f - qo_0d
-    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
-    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
-    qo_0 = qo_0a + qo_0f
-    qo_0_right = qo_0 - qo_0a
-    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0f_lo
-    qo_1a = q1_0 * q2_1
-    qo_1b = q1_1 * q2_0
+    qo_0a = q1_3 * q2_0
+    qo_0b = q1_0 * q2_3
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(q1_3, q2_0, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1_0, q2_3, qo_0b, qo_0c_right)
+    qo_0d = q1_2 * q2_1
+    qo_0e = q1_1 * q2_2
+    qo_0f = qo_0d - qo_0e
+    qo_0f_right = qo_0d - qo_0f
+    qo_0f_left_rest = product_rest(q1_2, q2_1, qo_0d, qo_0f + qo_0f_right)
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1_1, q2_2, qo_0e, qo_0f_right)
+    qo_0 = qo_0c + qo_0f
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
+    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
+    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_1a = q1_0 * q2_2
+    qo_1b = q1_2 * q2_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_0, q2_1, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1_1, q2_0, qo_1b, qo_1c_right)
-    qo_1d = q1_3 * q2_2
-    qo_1e = q1_2 * q2_3
+    qo_1c_left_rest = product_rest(q1_0, q2_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1_2, q2_0, qo_1b, qo_1c_right)
+    qo_1d = q1_3 * q2_1
+    qo_1e = q1_1 * q2_3
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1_3, q2_2, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1_2, q2_3, qo_1e, qo_1f_right)
+    qo_1f_left_rest = product_rest(q1_3, q2_1, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1_1, q2_3, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
     qo_1_lo2 = qo_1_lo1 + qo_1f_lo
     qo_1_lo = qo_1_lo2 + qo_1c_lo
-    qo_2a = q1_0 * q2_2
-    qo_2b = q1_2 * q2_0
+    qo_2a = q1_1 * q2_0
+    qo_2b = q1_0 * q2_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_0, q2_2, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1_2, q2_0, qo_2b, qo_2c_right)
-    qo_2d = q1_1 * q2_3
-    qo_2e = q1_3 * q2_1
+    qo_2c_left_rest = product_rest(q1_1, q2_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_1, qo_2b, qo_2c_right)
+    qo_2d = q1_3 * q2_2
+    qo_2e = q1_2 * q2_3
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1_1, q2_3, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_1, qo_2e, qo_2f_right)
+    qo_2f_left_rest = product_rest(q1_3, q2_2, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1_2, q2_3, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
     qo_2_lo2 = qo_2_lo1 + qo_2f_lo
     qo_2_lo = qo_2_lo2 + qo_2c_lo
-    qo_3a = q1_0 * q2_3
-    qo_3b = q1_3 * q2_0
-    qo_3c = qo_3a - qo_3b
-    qo_3c_right = qo_3a - qo_3c
-    qo_3c_left_rest = product_rest(q1_0, q2_3, qo_3a, qo_3c + qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest - product_rest(q1_3, q2_0, qo_3b, qo_3c_right)
-    qo_3d = q1_2 * q2_1
-    qo_3e = q1_1 * q2_2
-    qo_3f = qo_3d - qo_3e
-    qo_3f_right = qo_3d - qo_3f
-    qo_3f_left_rest = product_rest(q1_2, q2_1, qo_3d, qo_3f + qo_3f_right)
-    qo_3f_lo = qo_3f_left_rest - product_rest(q1_1, q2_2, qo_3e, qo_3f_right)
-    qo_3 = qo_3c + qo_3f
-    qo_3_right = qo_3 - qo_3c
-    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + (qo_3f - qo_3_right)
-    qo_3_lo2 = qo_3_lo1 + qo_3f_lo
-    qo_3_lo = qo_3_lo2 + qo_3c_lo
+    qo_3a = q1_0 * q2_0
+    qo_3b = q1_1 * q2_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(q1_0, q2_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(q1_1, q2_1, qo_3b, qo_3c_right)
+    qo_3d = q1_2 * q2_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1_2, q2_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3f = q1_3 * q2_3
+    qo_3 = qo_3e + qo_3f
+    qo_3_right = qo_3 - qo_3e
+    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_3, qo_3f, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3e_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -524,79 +525,79 @@ def product_qconjq(q1, q2):
 def product_qqconj(q1, q2):
     """qo = q1 q2*, q2* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (w: 17, v: 12) u^2 S, S the sum of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
     the |terms| of the expanded formula; barring over- and underflow.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_0 * q2_0
-    qo_0b = q1_1 * q2_1
-    qo_0c = q1_2 * q2_2
-    qo_0d = qo_0b + qo_0c
-    qo_0d_right = qo_0d - qo_0b
-    qo_0d_left_rest = product_rest(q1_1, q2_1, qo_0b, qo_0d - qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest + product_rest(q1_2, q2_2, qo_0c, qo_0d_right)
-    qo_0e = q1_3 * q2_3
-    qo_0f = qo_0d + qo_0e
-    qo_0f_right = qo_0f - qo_0d
-    qo_0f_lo1 = qo_0d - (qo_0f - qo_0f_right) + product_rest(q1_3, q2_3, qo_0e, qo_0f_right)
-    qo_0f_lo = qo_0f_lo1 + qo_0d_lo
-    qo_0 = qo_0a + qo_0f
-    qo_0_right = qo_0 - qo_0a
-    qo_0_lo1 = product_rest(q1_0, q2_0, qo_0a, qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0f_lo
-    qo_1a = q1_1 * q2_0
-    qo_1b = q1_0 * q2_1
+    qo_0a = q1_0 * q2_3
+    qo_0b = q1_3 * q2_0
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(q1_0, q2_3, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1_3, q2_0, qo_0b, qo_0c_right)
+    qo_0d = q1_2 * q2_1
+    qo_0e = q1_1 * q2_2
+    qo_0f = qo_0d - qo_0e
+    qo_0f_right = qo_0d - qo_0f
+    qo_0f_left_rest = product_rest(q1_2, q2_1, qo_0d, qo_0f + qo_0f_right)
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1_1, q2_2, qo_0e, qo_0f_right)
+    qo_0 = qo_0c + qo_0f
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
+    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
+    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_1a = q1_0 * q2_2
+    qo_1b = q1_2 * q2_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_1, q2_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1_0, q2_1, qo_1b, qo_1c_right)
-    qo_1d = q1_3 * q2_2
-    qo_1e = q1_2 * q2_3
+    qo_1c_left_rest = product_rest(q1_0, q2_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1_2, q2_0, qo_1b, qo_1c_right)
+    qo_1d = q1_1 * q2_3
+    qo_1e = q1_3 * q2_1
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1_3, q2_2, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1_2, q2_3, qo_1e, qo_1f_right)
+    qo_1f_left_rest = product_rest(q1_1, q2_3, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1_3, q2_1, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
     qo_1_lo2 = qo_1_lo1 + qo_1f_lo
     qo_1_lo = qo_1_lo2 + qo_1c_lo
-    qo_2a = q1_2 * q2_0
-    qo_2b = q1_0 * q2_2
+    qo_2a = q1_1 * q2_0
+    qo_2b = q1_0 * q2_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_2, q2_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_2, qo_2b, qo_2c_right)
-    qo_2d = q1_1 * q2_3
-    qo_2e = q1_3 * q2_1
+    qo_2c_left_rest = product_rest(q1_1, q2_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_1, qo_2b, qo_2c_right)
+    qo_2d = q1_2 * q2_3
+    qo_2e = q1_3 * q2_2
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1_1, q2_3, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_1, qo_2e, qo_2f_right)
+    qo_2f_left_rest = product_rest(q1_2, q2_3, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_2, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
     qo_2_lo2 = qo_2_lo1 + qo_2f_lo
     qo_2_lo = qo_2_lo2 + qo_2c_lo
-    qo_3a = q1_3 * q2_0
-    qo_3b = q1_0 * q2_3
-    qo_3c = qo_3a - qo_3b
-    qo_3c_right = qo_3a - qo_3c
-    qo_3c_left_rest = product_rest(q1_3, q2_0, qo_3a, qo_3c + qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest - product_rest(q1_0, q2_3, qo_3b, qo_3c_right)
-    qo_3d = q1_2 * q2_1
-    qo_3e = q1_1 * q2_2
-    qo_3f = qo_3d - qo_3e
-    qo_3f_right = qo_3d - qo_3f
-    qo_3f_left_rest = product_rest(q1_2, q2_1, qo_3d, qo_3f + qo_3f_right)
-    qo_3f_lo = qo_3f_left_rest - product_rest(q1_1, q2_2, qo_3e, qo_3f_right)
-    qo_3 = qo_3c + qo_3f
-    qo_3_right = qo_3 - qo_3c
-    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + (qo_3f - qo_3_right)
-    qo_3_lo2 = qo_3_lo1 + qo_3f_lo
-    qo_3_lo = qo_3_lo2 + qo_3c_lo
+    qo_3a = q1_0 * q2_0
+    qo_3b = q1_1 * q2_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(q1_0, q2_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(q1_1, q2_1, qo_3b, qo_3c_right)
+    qo_3d = q1_2 * q2_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1_2, q2_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3f = q1_3 * q2_3
+    qo_3 = qo_3e + qo_3f
+    qo_3_right = qo_3 - qo_3e
+    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_3, qo_3f, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3e_lo
     qo_0_rounded = qo_0 + qo_0_lo
     qo_1_rounded = qo_1 + qo_1_lo
     qo_2_rounded = qo_2 + qo_2_lo
@@ -608,72 +609,72 @@ def product_qqconj(q1, q2):
 def product_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
-    c_0a = q_2 * v_2
-    c_0b = q_3 * v_1
+    c_0a = q_1 * v_2
+    c_0b = q_2 * v_1
     c_0 = c_0a - c_0b
     c_0_right = c_0a - c_0
-    c_0_lo = product_rest(q_2, v_2, c_0a, c_0 + c_0_right) - product_rest(q_3, v_1, c_0b, c_0_right)
-    c_1a = q_3 * v_0
-    c_1b = q_1 * v_2
+    c_0_lo = product_rest(q_1, v_2, c_0a, c_0 + c_0_right) - product_rest(q_2, v_1, c_0b, c_0_right)
+    c_1a = q_2 * v_0
+    c_1b = q_0 * v_2
     c_1 = c_1a - c_1b
     c_1_right = c_1a - c_1
-    c_1_lo = product_rest(q_3, v_0, c_1a, c_1 + c_1_right) - product_rest(q_1, v_2, c_1b, c_1_right)
-    c_2a = q_1 * v_1
-    c_2b = q_2 * v_0
+    c_1_lo = product_rest(q_2, v_0, c_1a, c_1 + c_1_right) - product_rest(q_0, v_2, c_1b, c_1_right)
+    c_2a = q_0 * v_1
+    c_2b = q_1 * v_0
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
-    c_2_lo = product_rest(q_1, v_1, c_2a, c_2 + c_2_right) - product_rest(q_2, v_0, c_2b, c_2_right)
+    c_2_lo = product_rest(q_0, v_1, c_2a, c_2 + c_2_right) - product_rest(q_1, v_0, c_2b, c_2_right)
     t_0 = 2 * c_0
     t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
     t_2_cross2 = 2 * c_2_lo
-    turn_0a = q_0 * t_0
-    turn_0b = q_2 * t_2
-    turn_0c = q_3 * t_1
-    turn_0d = turn_0b - turn_0c
-    turn_0d_right = turn_0b - turn_0d
-    turn_0d_left_rest = product_rest(q_2, t_2, turn_0b, turn_0d + turn_0d_right)
-    turn_0d_lo1 = turn_0d_left_rest - product_rest(q_3, t_1, turn_0c, turn_0d_right)
-    turn_0d_lo = turn_0d_lo1 + (q_2 * t_2_cross2 - q_3 * t_1_cross2)
-    turn_0 = turn_0a + turn_0d
-    turn_0_right = turn_0 - turn_0a
-    turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
-    turn_0_lo2 = turn_0_lo1 + turn_0d_lo
-    turn_0_lo = turn_0_lo2 + q_0 * t_0_cross2
-    turn_1a = q_0 * t_1
-    turn_1b = q_3 * t_0
-    turn_1c = q_1 * t_2
-    turn_1d = turn_1b - turn_1c
-    turn_1d_right = turn_1b - turn_1d
-    turn_1d_left_rest = product_rest(q_3, t_0, turn_1b, turn_1d + turn_1d_right)
-    turn_1d_lo1 = turn_1d_left_rest - product_rest(q_1, t_2, turn_1c, turn_1d_right)
-    turn_1d_lo = turn_1d_lo1 + (q_3 * t_0_cross2 - q_1 * t_2_cross2)
-    turn_1 = turn_1a + turn_1d
-    turn_1_right = turn_1 - turn_1a
-    turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
-    turn_1_lo2 = turn_1_lo1 + turn_1d_lo
-    turn_1_lo = turn_1_lo2 + q_0 * t_1_cross2
-    turn_2a = q_0 * t_2
-    turn_2b = q_1 * t_1
-    turn_2c = q_2 * t_0
-    turn_2d = turn_2b - turn_2c
-    turn_2d_right = turn_2b - turn_2d
-    turn_2d_left_rest = product_rest(q_1, t_1, turn_2b, turn_2d + turn_2d_right)
-    turn_2d_lo1 = turn_2d_left_rest - product_rest(q_2, t_0, turn_2c, turn_2d_right)
-    turn_2d_lo = turn_2d_lo1 + (q_1 * t_1_cross2 - q_2 * t_0_cross2)
-    turn_2 = turn_2a + turn_2d
-    turn_2_right = turn_2 - turn_2a
-    turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
-    turn_2_lo2 = turn_2_lo1 + turn_2d_lo
-    turn_2_lo = turn_2_lo2 + q_0 * t_2_cross2
+    turn_0a = q_1 * t_2
+    turn_0b = q_2 * t_1
+    turn_0c = turn_0a - turn_0b
+    turn_0c_right = turn_0a - turn_0c
+    turn_0c_left_rest = product_rest(q_1, t_2, turn_0a, turn_0c + turn_0c_right)
+    turn_0c_lo1 = turn_0c_left_rest - product_rest(q_2, t_1, turn_0b, turn_0c_right)
+    turn_0c_lo = turn_0c_lo1 + (q_1 * t_2_cross2 - q_2 * t_1_cross2)
+    turn_0d = q_3 * t_0
+    turn_0 = turn_0c + turn_0d
+    turn_0_right = turn_0 - turn_0c
+    turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
+    turn_0_lo2 = turn_0_lo1 + q_3 * t_0_cross2
+    turn_0_lo = turn_0_lo2 + turn_0c_lo
+    turn_1a = q_2 * t_0
+    turn_1b = q_0 * t_2
+    turn_1c = turn_1a - turn_1b
+    turn_1c_right = turn_1a - turn_1c
+    turn_1c_left_rest = product_rest(q_2, t_0, turn_1a, turn_1c + turn_1c_right)
+    turn_1c_lo1 = turn_1c_left_rest - product_rest(q_0, t_2, turn_1b, turn_1c_right)
+    turn_1c_lo = turn_1c_lo1 + (q_2 * t_0_cross2 - q_0 * t_2_cross2)
+    turn_1d = q_3 * t_1
+    turn_1 = turn_1c + turn_1d
+    turn_1_right = turn_1 - turn_1c
+    turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
+    turn_1_lo2 = turn_1_lo1 + q_3 * t_1_cross2
+    turn_1_lo = turn_1_lo2 + turn_1c_lo
+    turn_2a = q_0 * t_1
+    turn_2b = q_1 * t_0
+    turn_2c = turn_2a - turn_2b
+    turn_2c_right = turn_2a - turn_2c
+    turn_2c_left_rest = product_rest(q_0, t_1, turn_2a, turn_2c + turn_2c_right)
+    turn_2c_lo1 = turn_2c_left_rest - product_rest(q_1, t_0, turn_2b, turn_2c_right)
+    turn_2c_lo = turn_2c_lo1 + (q_0 * t_1_cross2 - q_1 * t_0_cross2)
+    turn_2d = q_3 * t_2
+    turn_2 = turn_2c + turn_2d
+    turn_2_right = turn_2 - turn_2c
+    turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
+    turn_2_lo2 = turn_2_lo1 + q_3 * t_2_cross2
+    turn_2_lo = turn_2_lo2 + turn_2c_lo
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
     vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
@@ -693,72 +694,72 @@ def product_qv(q, v):
 def product_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
-    30 mul, 75 add, 15 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
+    30 mul, 75 add, 15 product rest.  Error <= u |result| + 34 u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
     q_0, q_1, q_2, q_3 = q
     v_0, v_1, v_2 = v
-    c_0a = q_3 * v_1
-    c_0b = q_2 * v_2
+    c_0a = q_2 * v_1
+    c_0b = q_1 * v_2
     c_0 = c_0a - c_0b
     c_0_right = c_0a - c_0
-    c_0_lo = product_rest(q_3, v_1, c_0a, c_0 + c_0_right) - product_rest(q_2, v_2, c_0b, c_0_right)
-    c_1a = q_1 * v_2
-    c_1b = q_3 * v_0
+    c_0_lo = product_rest(q_2, v_1, c_0a, c_0 + c_0_right) - product_rest(q_1, v_2, c_0b, c_0_right)
+    c_1a = q_0 * v_2
+    c_1b = q_2 * v_0
     c_1 = c_1a - c_1b
     c_1_right = c_1a - c_1
-    c_1_lo = product_rest(q_1, v_2, c_1a, c_1 + c_1_right) - product_rest(q_3, v_0, c_1b, c_1_right)
-    c_2a = q_2 * v_0
-    c_2b = q_1 * v_1
+    c_1_lo = product_rest(q_0, v_2, c_1a, c_1 + c_1_right) - product_rest(q_2, v_0, c_1b, c_1_right)
+    c_2a = q_1 * v_0
+    c_2b = q_0 * v_1
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
-    c_2_lo = product_rest(q_2, v_0, c_2a, c_2 + c_2_right) - product_rest(q_1, v_1, c_2b, c_2_right)
+    c_2_lo = product_rest(q_1, v_0, c_2a, c_2 + c_2_right) - product_rest(q_0, v_1, c_2b, c_2_right)
     t_0 = 2 * c_0
     t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
     t_2_cross2 = 2 * c_2_lo
-    turn_0a = q_0 * t_0
-    turn_0b = q_3 * t_1
-    turn_0c = q_2 * t_2
-    turn_0d = turn_0b - turn_0c
-    turn_0d_right = turn_0b - turn_0d
-    turn_0d_left_rest = product_rest(q_3, t_1, turn_0b, turn_0d + turn_0d_right)
-    turn_0d_lo1 = turn_0d_left_rest - product_rest(q_2, t_2, turn_0c, turn_0d_right)
-    turn_0d_lo = turn_0d_lo1 + (q_3 * t_1_cross2 - q_2 * t_2_cross2)
-    turn_0 = turn_0a + turn_0d
-    turn_0_right = turn_0 - turn_0a
-    turn_0_lo1 = product_rest(q_0, t_0, turn_0a, turn_0 - turn_0_right) + (turn_0d - turn_0_right)
-    turn_0_lo2 = turn_0_lo1 + turn_0d_lo
-    turn_0_lo = turn_0_lo2 + q_0 * t_0_cross2
-    turn_1a = q_0 * t_1
-    turn_1b = q_1 * t_2
-    turn_1c = q_3 * t_0
-    turn_1d = turn_1b - turn_1c
-    turn_1d_right = turn_1b - turn_1d
-    turn_1d_left_rest = product_rest(q_1, t_2, turn_1b, turn_1d + turn_1d_right)
-    turn_1d_lo1 = turn_1d_left_rest - product_rest(q_3, t_0, turn_1c, turn_1d_right)
-    turn_1d_lo = turn_1d_lo1 + (q_1 * t_2_cross2 - q_3 * t_0_cross2)
-    turn_1 = turn_1a + turn_1d
-    turn_1_right = turn_1 - turn_1a
-    turn_1_lo1 = product_rest(q_0, t_1, turn_1a, turn_1 - turn_1_right) + (turn_1d - turn_1_right)
-    turn_1_lo2 = turn_1_lo1 + turn_1d_lo
-    turn_1_lo = turn_1_lo2 + q_0 * t_1_cross2
-    turn_2a = q_0 * t_2
-    turn_2b = q_2 * t_0
-    turn_2c = q_1 * t_1
-    turn_2d = turn_2b - turn_2c
-    turn_2d_right = turn_2b - turn_2d
-    turn_2d_left_rest = product_rest(q_2, t_0, turn_2b, turn_2d + turn_2d_right)
-    turn_2d_lo1 = turn_2d_left_rest - product_rest(q_1, t_1, turn_2c, turn_2d_right)
-    turn_2d_lo = turn_2d_lo1 + (q_2 * t_0_cross2 - q_1 * t_1_cross2)
-    turn_2 = turn_2a + turn_2d
-    turn_2_right = turn_2 - turn_2a
-    turn_2_lo1 = product_rest(q_0, t_2, turn_2a, turn_2 - turn_2_right) + (turn_2d - turn_2_right)
-    turn_2_lo2 = turn_2_lo1 + turn_2d_lo
-    turn_2_lo = turn_2_lo2 + q_0 * t_2_cross2
+    turn_0a = q_2 * t_1
+    turn_0b = q_1 * t_2
+    turn_0c = turn_0a - turn_0b
+    turn_0c_right = turn_0a - turn_0c
+    turn_0c_left_rest = product_rest(q_2, t_1, turn_0a, turn_0c + turn_0c_right)
+    turn_0c_lo1 = turn_0c_left_rest - product_rest(q_1, t_2, turn_0b, turn_0c_right)
+    turn_0c_lo = turn_0c_lo1 + (q_2 * t_1_cross2 - q_1 * t_2_cross2)
+    turn_0d = q_3 * t_0
+    turn_0 = turn_0c + turn_0d
+    turn_0_right = turn_0 - turn_0c
+    turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
+    turn_0_lo2 = turn_0_lo1 + q_3 * t_0_cross2
+    turn_0_lo = turn_0_lo2 + turn_0c_lo
+    turn_1a = q_0 * t_2
+    turn_1b = q_2 * t_0
+    turn_1c = turn_1a - turn_1b
+    turn_1c_right = turn_1a - turn_1c
+    turn_1c_left_rest = product_rest(q_0, t_2, turn_1a, turn_1c + turn_1c_right)
+    turn_1c_lo1 = turn_1c_left_rest - product_rest(q_2, t_0, turn_1b, turn_1c_right)
+    turn_1c_lo = turn_1c_lo1 + (q_0 * t_2_cross2 - q_2 * t_0_cross2)
+    turn_1d = q_3 * t_1
+    turn_1 = turn_1c + turn_1d
+    turn_1_right = turn_1 - turn_1c
+    turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
+    turn_1_lo2 = turn_1_lo1 + q_3 * t_1_cross2
+    turn_1_lo = turn_1_lo2 + turn_1c_lo
+    turn_2a = q_1 * t_0
+    turn_2b = q_0 * t_1
+    turn_2c = turn_2a - turn_2b
+    turn_2c_right = turn_2a - turn_2c
+    turn_2c_left_rest = product_rest(q_1, t_0, turn_2a, turn_2c + turn_2c_right)
+    turn_2c_lo1 = turn_2c_left_rest - product_rest(q_0, t_1, turn_2b, turn_2c_right)
+    turn_2c_lo = turn_2c_lo1 + (q_1 * t_0_cross2 - q_0 * t_1_cross2)
+    turn_2d = q_3 * t_2
+    turn_2 = turn_2c + turn_2d
+    turn_2_right = turn_2 - turn_2c
+    turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
+    turn_2_lo2 = turn_2_lo1 + q_3 * t_2_cross2
+    turn_2_lo = turn_2_lo2 + turn_2c_lo
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
     vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
@@ -778,39 +779,39 @@ def product_qconjv(q, v):
 def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
-    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
     u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    squares_0 = q_0 * q_0
-    squares_1 = q_1 * q_1
-    squares_2 = q_2 * q_2
-    squares_3 = q_3 * q_3
+    squares_0 = q_3 * q_3
+    squares_1 = q_0 * q_0
+    squares_2 = q_1 * q_1
+    squares_3 = q_2 * q_2
     pairs_0 = squares_0 + squares_1
     pairs_0_right = pairs_0 - squares_0
-    pairs_0_left_rest = product_rest(q_0, q_0, squares_0, pairs_0 - pairs_0_right)
-    pairs_0_lo = pairs_0_left_rest + product_rest(q_1, q_1, squares_1, pairs_0_right)
+    pairs_0_left_rest = product_rest(q_3, q_3, squares_0, pairs_0 - pairs_0_right)
+    pairs_0_lo = pairs_0_left_rest + product_rest(q_0, q_0, squares_1, pairs_0_right)
     pairs_1 = squares_2 + squares_3
     pairs_1_right = pairs_1 - squares_2
-    pairs_1_left_rest = product_rest(q_2, q_2, squares_2, pairs_1 - pairs_1_right)
-    pairs_1_lo = pairs_1_left_rest + product_rest(q_3, q_3, squares_3, pairs_1_right)
+    pairs_1_left_rest = product_rest(q_1, q_1, squares_2, pairs_1 - pairs_1_right)
+    pairs_1_lo = pairs_1_left_rest + product_rest(q_2, q_2, squares_3, pairs_1_right)
     pairs_2 = squares_0 + squares_2
     pairs_2_right = pairs_2 - squares_0
-    pairs_2_left_rest = product_rest(q_0, q_0, squares_0, pairs_2 - pairs_2_right)
-    pairs_2_lo = pairs_2_left_rest + product_rest(q_2, q_2, squares_2, pairs_2_right)
+    pairs_2_left_rest = product_rest(q_3, q_3, squares_0, pairs_2 - pairs_2_right)
+    pairs_2_lo = pairs_2_left_rest + product_rest(q_1, q_1, squares_2, pairs_2_right)
     pairs_3 = squares_1 + squares_3
     pairs_3_right = pairs_3 - squares_1
-    pairs_3_left_rest = product_rest(q_1, q_1, squares_1, pairs_3 - pairs_3_right)
-    pairs_3_lo = pairs_3_left_rest + product_rest(q_3, q_3, squares_3, pairs_3_right)
+    pairs_3_left_rest = product_rest(q_0, q_0, squares_1, pairs_3 - pairs_3_right)
+    pairs_3_lo = pairs_3_left_rest + product_rest(q_2, q_2, squares_3, pairs_3_right)
     pairs_4 = squares_0 + squares_3
     pairs_4_right = pairs_4 - squares_0
-    pairs_4_left_rest = product_rest(q_0, q_0, squares_0, pairs_4 - pairs_4_right)
-    pairs_4_lo = pairs_4_left_rest + product_rest(q_3, q_3, squares_3, pairs_4_right)
+    pairs_4_left_rest = product_rest(q_3, q_3, squares_0, pairs_4 - pairs_4_right)
+    pairs_4_lo = pairs_4_left_rest + product_rest(q_2, q_2, squares_3, pairs_4_right)
     pairs_5 = squares_1 + squares_2
     pairs_5_right = pairs_5 - squares_1
-    pairs_5_left_rest = product_rest(q_1, q_1, squares_1, pairs_5 - pairs_5_right)
-    pairs_5_lo = pairs_5_left_rest + product_rest(q_2, q_2, squares_2, pairs_5_right)
+    pairs_5_left_rest = product_rest(q_0, q_0, squares_1, pairs_5 - pairs_5_right)
+    pairs_5_lo = pairs_5_left_rest + product_rest(q_1, q_1, squares_2, pairs_5_right)
     square = pairs_0 + pairs_1
     square_right = square - pairs_0
     square_lo2 = pairs_0 - (square - square_right) + (pairs_1 - square_right) + pairs_1_lo
@@ -838,30 +839,30 @@ def mat3x3_from_quaternion(q):
     d2_lo = d2_lo2 + pairs_4_lo
     twice = 2 * factor
     twice_cross2 = 2 * factor_lo
-    m_0a = q_1 * q_2
-    m_0b = q_0 * q_3
+    m_0a = q_0 * q_1
+    m_0b = q_2 * q_3
     m_0 = m_0a - m_0b
     m_0_right = m_0a - m_0
-    m_0_lo = product_rest(q_1, q_2, m_0a, m_0 + m_0_right) - product_rest(q_0, q_3, m_0b, m_0_right)
+    m_0_lo = product_rest(q_0, q_1, m_0a, m_0 + m_0_right) - product_rest(q_2, q_3, m_0b, m_0_right)
     m_1a = q_0 * q_2
     m_1b = q_1 * q_3
     m_1 = m_1a + m_1b
     m_1_right = m_1 - m_1a
     m_1_lo = product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)
-    m_2a = q_2 * q_3
-    m_2b = q_0 * q_1
+    m_2a = q_1 * q_2
+    m_2b = q_0 * q_3
     m_2 = m_2a - m_2b
     m_2_right = m_2a - m_2
-    m_2_lo = product_rest(q_2, q_3, m_2a, m_2 + m_2_right) - product_rest(q_0, q_1, m_2b, m_2_right)
-    m_3 = m_0b + m_0a
-    m_3_right = m_3 - m_0b
-    m_3_lo = product_rest(q_0, q_3, m_0b, m_3 - m_3_right) + product_rest(q_1, q_2, m_0a, m_3_right)
-    m_4 = m_1b - m_1a
-    m_4_right = m_1b - m_4
-    m_4_lo = product_rest(q_1, q_3, m_1b, m_4 + m_4_right) - product_rest(q_0, q_2, m_1a, m_4_right)
+    m_2_lo = product_rest(q_1, q_2, m_2a, m_2 + m_2_right) - product_rest(q_0, q_3, m_2b, m_2_right)
+    m_3 = m_0a + m_0b
+    m_3_right = m_3 - m_0a
+    m_3_lo = product_rest(q_0, q_1, m_0a, m_3 - m_3_right) + product_rest(q_2, q_3, m_0b, m_3_right)
+    m_4 = m_1a - m_1b
+    m_4_right = m_1a - m_4
+    m_4_lo = product_rest(q_0, q_2, m_1a, m_4 + m_4_right) - product_rest(q_1, q_3, m_1b, m_4_right)
     m_5 = m_2b + m_2a
     m_5_right = m_5 - m_2b
-    m_5_lo = product_rest(q_0, q_1, m_2b, m_5 - m_5_right) + product_rest(q_2, q_3, m_2a, m_5_right)
+    m_5_lo = product_rest(q_0, q_3, m_2b, m_5 - m_5_right) + product_rest(q_1, q_2, m_2a, m_5_right)
     R_00 = factor * d0
     R_00_cross2 = factor * d0_lo
     R_00_cross = factor_lo * d0 + R_00_cross2
@@ -922,7 +923,7 @@ def mat3x3_from_quaternion(q):
 def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
     select.  Error <= qo: 5 u of its largest component; searched, not proved.
     """
@@ -969,34 +970,34 @@ def quaternion_from_mat3x3(R):
     d_3 = first_1 - others_1
     d_3_right = first_1 - d_3
     d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
-    low_0 = where(R_11 < R_00, p_0, p_1)
-    low_1 = where(R_11 < R_00, d_1, s_2)
-    low_1_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
-    low_2 = where(R_11 < R_00, s_2, d_2)
-    low_2_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
-    low_3 = where(R_11 < R_00, s_1, s_0)
-    high_0 = where(R_00 < -R_11, p_2, d_0)
-    high_0_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
-    high_1 = where(R_00 < -R_11, s_1, p_0)
-    high_2 = where(R_00 < -R_11, s_0, p_1)
-    high_3 = where(R_00 < -R_11, d_3, p_2)
-    high_3_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_0_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_1_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_2_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
+    high_3_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
     column_0 = where(R_22 < 0, low_0, high_0)
-    column_0_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_0_lo)
+    column_0_lo = where(R_22 < 0, low_0_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
     column_1 = where(R_22 < 0, low_1, high_1)
-    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
+    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
     column_2 = where(R_22 < 0, low_2, high_2)
-    column_2_lo = where(R_22 < 0, low_2_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
+    column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(R_22 < 0, low_3, high_3)
-    column_3_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_3_lo)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_0_lo = where(column_0 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_1_lo = where(column_0 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_2_lo = where(column_0 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
-    upper_3_lo = where(column_0 < 0, -column_3_lo, column_3_lo)
+    column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
     length_a = upper_0 * upper_0
     length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
     length_b = upper_1 * upper_1
@@ -1089,26 +1090,26 @@ def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
     nothing turns; any multiple of a quaternion.
 
-    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
     searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_0 < 0, -q_0, q_0)
-    upper_1 = where(q_0 < 0, -q_1, q_1)
-    upper_2 = where(q_0 < 0, -q_2, q_2)
-    upper_3 = where(q_0 < 0, -q_3, q_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(q_3 < 0, -q_0, q_0)
+    upper_1 = where(q_3 < 0, -q_1, q_1)
+    upper_2 = where(q_3 < 0, -q_2, q_2)
+    upper_3 = where(q_3 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -1138,13 +1139,13 @@ def axis_angle_from_quaternion(q):
     n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
-    half = arctan2(half_of_n, upper_0)
+    half = arctan2(half_of_n, upper_3)
     half_size0 = absolute(half_of_n)
-    half_size1 = absolute(upper_0)
+    half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_divisor = where(half_most == 0, 1, half_most)
     half_part0 = half_of_n / half_divisor
-    half_part1 = upper_0 / half_divisor
+    half_part1 = upper_3 / half_divisor
     half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
     half_cross = half_cross1 - half_part0 * 0
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
@@ -1190,25 +1191,25 @@ def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
     less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_0 < 0, -q_0, q_0)
-    upper_1 = where(q_0 < 0, -q_1, q_1)
-    upper_2 = where(q_0 < 0, -q_2, q_2)
-    upper_3 = where(q_0 < 0, -q_3, q_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(q_3 < 0, -q_0, q_0)
+    upper_1 = where(q_3 < 0, -q_1, q_1)
+    upper_2 = where(q_3 < 0, -q_2, q_2)
+    upper_3 = where(q_3 < 0, -q_3, q_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
     v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -1239,13 +1240,13 @@ def quaternion_log(q):
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
     half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half = arctan2(half_of_n, upper_0)
+    half = arctan2(half_of_n, upper_3)
     half_size0 = absolute(half_of_n)
-    half_size1 = absolute(upper_0)
+    half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_divisor = where(half_most == 0, 1, half_most)
     half_part0 = half_of_n / half_divisor
-    half_part1 = upper_0 / half_divisor
+    half_part1 = upper_3 / half_divisor
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
     half_safe = where(half_most == 0, 1, half_divisor2)
     half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / half_safe
@@ -1267,12 +1268,12 @@ def quaternion_log(q):
     k_cross = k * k_of_divisor_lo
     k_residual = k_numerator - k_cross
     k_lo = k_residual / k_of_divisor
-    vector_0 = upper_1 * k
-    vector_1 = upper_2 * k
-    vector_2 = upper_3 * k
-    vector_0_rounded = vector_0 + (product_error(upper_1, k, vector_0) + upper_1 * k_lo)
-    vector_1_rounded = vector_1 + (product_error(upper_2, k, vector_1) + upper_2 * k_lo)
-    vector_2_rounded = vector_2 + (product_error(upper_3, k, vector_2) + upper_3 * k_lo)
+    vector_0 = upper_0 * k
+    vector_1 = upper_1 * k
+    vector_2 = upper_2 * k
+    vector_0_rounded = vector_0 + (product_error(upper_0, k, vector_0) + upper_0 * k_lo)
+    vector_1_rounded = vector_1 + (product_error(upper_1, k, vector_1) + upper_1 * k_lo)
+    vector_2_rounded = vector_2 + (product_error(upper_2, k, vector_2) + upper_2 * k_lo)
     return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
         where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),
         where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2))

@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -1146,36 +1148,36 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.float32] | None = ..
 def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
-    (4),()->(4).  self: quaternion (w; x, y, z), the scalar first; a: number.
+    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
     barring over- and underflow.
     """
 
 def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """|q| = sqrt(w^2 + v·v).
+    """|q| = sqrt(v·v + w^2).
 
-    (4)->().  q: quaternion (w; x, y, z), the scalar first; norm: number.
+    (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
     9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; zero stays zero.
 
-    (4)->(4).  self: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q / |q|; zero stays zero.
 
-    (4)->(4).  q, qo: quaternion (w; x, y, z), the scalar first.
+    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """qo = q1 q2 = (w1 w2 - v1·v2; w1 v2 + w2 v1 + v1 × v2).
+    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
     16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1183,23 +1185,23 @@ def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = .
 def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q1* q2, q1* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
     """
 
 def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q1 q2*, q2* the conjugate.
 
-    (4),(4)->(4).  q1, q2, qo: quaternion (w; x, y, z), the scalar first.
-    16 mul, 12 add.  Error <= u |result| + (w: 1/8, v: 3/32) u^2 S, S the sum of the |terms| of
+    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
     """
 
 def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R(q) v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1207,7 +1209,7 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...
 def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = R(q)^T v, |q| = 1.
 
-    (4),(3)->(3).  q: quaternion (w; x, y, z), the scalar first; v, vo: vector.
+    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
     18 mul, 12 add.  Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
@@ -1215,14 +1217,14 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None =
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
-    (4)->(3,3).  q: quaternion (w; x, y, z), the scalar first; R: rotation or other 3×3 matrix.
+    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (w; x, y, z), the scalar first.
+    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
     component; searched, not proved.
     """
@@ -1231,7 +1233,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
     nothing turns; any multiple of a quaternion.
 
-    (4)->(),(3).  q: quaternion (w; x, y, z), the scalar first; angle: number; axis: vector.
+    (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
@@ -1240,7 +1242,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
-    (4)->(3).  q: quaternion (w; x, y, z), the scalar first; vo: vector.
+    (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """

@@ -1,4 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 """Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
 
 In single precision, accurate tier.
@@ -31,43 +33,43 @@ def SO3_log(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, p_0, p_1)
-    low_1 = where(R_11 < R_00, d_1, s_2)
-    low_2 = where(R_11 < R_00, s_2, d_2)
-    low_3 = where(R_11 < R_00, s_1, s_0)
-    high_0 = where(R_00 < -R_11, p_2, d_0)
-    high_1 = where(R_00 < -R_11, s_1, p_0)
-    high_2 = where(R_00 < -R_11, s_0, p_1)
-    high_3 = where(R_00 < -R_11, d_3, p_2)
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
     column_0 = where(R_22 < 0, low_0, high_0)
     column_1 = where(R_22 < 0, low_1, high_1)
     column_2 = where(R_22 < 0, low_2, high_2)
     column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
     v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
     v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
-    vector_0 = upper_1 * k
-    vector_1 = upper_2 * k
-    vector_2 = upper_3 * k
+    vector_0 = upper_0 * k
+    vector_1 = upper_1 * k
+    vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
 
 
@@ -95,37 +97,37 @@ def axis_angle_from_mat3x3(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, p_0, p_1)
-    low_1 = where(R_11 < R_00, d_1, s_2)
-    low_2 = where(R_11 < R_00, s_2, d_2)
-    low_3 = where(R_11 < R_00, s_1, s_0)
-    high_0 = where(R_00 < -R_11, p_2, d_0)
-    high_1 = where(R_00 < -R_11, s_1, p_0)
-    high_2 = where(R_00 < -R_11, s_0, p_1)
-    high_3 = where(R_00 < -R_11, d_3, p_2)
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
     column_0 = where(R_22 < 0, low_0, high_0)
     column_1 = where(R_22 < 0, low_1, high_1)
     column_2 = where(R_22 < 0, low_2, high_2)
     column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_0 < 0, -column_0, column_0)
-    upper_1 = where(column_0 < 0, -column_1, column_1)
-    upper_2 = where(column_0 < 0, -column_2, column_2)
-    upper_3 = where(column_0 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_1)
-    v_s_size_1 = absolute(upper_2)
-    v_s_size_2 = absolute(upper_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
     v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
-    v_y_0 = upper_1 * v_s
-    v_y_1 = upper_2 * v_s
-    v_y_2 = upper_3 * v_s
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
     v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_0)
+    half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
     unit_0 = v_y_0 / divisor
     unit_1 = v_y_1 / divisor

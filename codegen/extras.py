@@ -1,0 +1,29 @@
+"""Which packages beside NumPy a command needs, and the extra that installs them."""
+
+from importlib.util import find_spec
+
+GENERATOR = ("sympy", "jinja2", "tqdm", "mpmath", "defusedxml")
+EXTRAS = {"codegen": GENERATOR,
+          "simulate": (*GENERATOR, "scipy", "matplotlib", "tabulate"),
+          "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate")}
+"""Modules by extra; pyarrow, of `simulate`, is needed for .parquet files only."""
+
+COMMANDS = {"generate": "codegen", "effects": "codegen", "simulate": "simulate",
+            "check": "simulate", "cost": "simulate", "report": "report"}
+"""The extra of each command."""
+
+
+def lacking(what: str, extra: str) -> str | None:
+    """The sentence to say if packages of an extra are not installed: "simulate needs scipy; run
+    `pip install "coscrew[simulate]"`"; None if all are."""
+    missing = [name for name in EXTRAS[extra] if not _installed(name)]
+    if not missing:
+        return None
+    return f'{what} needs {", ".join(missing)}; run `pip install "coscrew[{extra}]"`'
+
+
+def _installed(module: str) -> bool:
+    try:
+        return find_spec(module) is not None
+    except (ImportError, ValueError):
+        return False

@@ -1,0 +1,1 @@
+"""Native code and other calls, timed beside each other."""

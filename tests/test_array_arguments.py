@@ -1,0 +1,162 @@
+"""What is no array of double or single numbers, nor of integers, is a TypeError that names it."""
+
+import pickle
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import coscrew
+import coscrew.accurate
+import coscrew.certified
+from coscrew import _dispatch
+from coscrew_codegen.operations import OPERATIONS
+
+TIERS = (coscrew, coscrew.accurate, coscrew.certified)
+NAMESPACES = {f"{tier.__name__} {name}": module for tier in TIERS for name, module in (
+    ("compiled", tier), ("without compilation", __import__(f"{tier.__name__}._dispatch",
+                                                          fromlist=["_dispatch"])),
+    ("double", tier.double), ("single", tier.single))}
+by_namespace = pytest.mark.parametrize("namespace", NAMESPACES.values(), ids=NAMESPACES)
+
+
+class Tracer:
+    """Says of itself that it is no array, as JAX's tracers and PyTorch's tensors elsewhere do."""
+
+    def __init__(self, error: Exception):
+        self.error = error
+
+    def __array__(self, dtype=None, copy=None):
+        raise self.error
+
+
+class Half:
+    """An array of another library, whose numbers NumPy does not have: bfloat16, float16."""
+
+    def __array__(self, dtype=None, copy=None):
+        return np.ones(6, np.float16)
+
+
+def wrong(shape: tuple[int, ...]) -> dict[str, object]:
+    """Arguments of this shape that are refused, by what the error says."""
+    ones = np.ones(shape)
+    kinds = (np.longdouble, np.float16, np.bool_, np.complex128, np.clongdouble, "M8[s]", "m8[s]",
+             "U3", "S3", [("x", float)])
+    found: dict[str, object] = {f"{np.dtype(k)} came": np.zeros(shape, k) for k in kinds}
+    return found | {
+        "a masked array came": np.ma.masked_array(ones, ones > 2),
+        "objects (NoneType) came": np.full(shape, None),
+        "objects (str) came": np.full(shape, "one", object),
+        "list came": [[1.0], [1.0, 2.0]],
+        "Tracer came, of which NumPy makes no array (a traced array)":
+            Tracer(TypeError("a traced array\nwith much to say")),
+        "Tracer came, of which NumPy makes no array (on another device)":
+            Tracer(RuntimeError("on another device")),
+    }
+
+
+@by_namespace
+def test_every_argument_of_every_operation_is_held_to_it(namespace):
+    count = 0
+    for operation in OPERATIONS:
+        call = getattr(namespace, operation.name, None)
+        for place, argument in enumerate(operation.inputs if call else ()):
+            shape = argument.quantity.shape
+            for message, value in wrong(shape).items():
+                given = [value if n == place else np.ones(a.quantity.shape)
+                         for n, a in enumerate(operation.inputs)]
+                with pytest.raises(TypeError) as caught:
+                    call(*given)
+                said = str(caught.value)
+                assert said.startswith(f"{operation.name}: {argument.name}: {message}"), said
+                assert "float64, float32 or integers" in said
+                count += 1
+    assert count > 1000
+
+
+@pytest.mark.parametrize("namespace", (coscrew, _dispatch), ids=("compiled", "without compilation"))
+def test_objects_are_for_the_twins(namespace):
+    halves = [Fraction(k, 2) for k in range(6)]
+    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: objects \(Fraction\) came; "):
+        namespace.coscrew_inverted(halves)
+    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: objects \(int\) came; "):
+        namespace.coscrew_inverted([2**64] * 6)
+    for twin in (coscrew.double, coscrew.single):
+        assert twin.coscrew_inverted(halves).tolist() == [-x for x in halves]
+
+
+@pytest.mark.parametrize("namespace", (coscrew, _dispatch), ids=("compiled", "without compilation"))
+def test_what_becomes_an_array_of_numbers_is_taken(namespace):
+    class Foreign:
+        def __array__(self, dtype=None, copy=None):
+            return np.arange(6, dtype=np.float32)
+
+    class Tagged(np.ndarray):
+        pass
+
+    c = np.arange(6.0)
+    for given in ([0, 1, 2, 3, 4, 5], (0, 1.0, 2, 3, 4, 5), c.astype(">f8"), c.astype(np.uint64),
+                  c.astype(np.int8), c.view(Tagged), memoryview(c), range(6)):
+        found = namespace.coscrew_inverted(given)
+        assert found.dtype == np.float64 and (found == -c).all()
+    assert namespace.coscrew_inverted(Foreign()).dtype == np.float32
+    assert namespace.coscrew_inverted(c.astype(">f4")).dtype == np.float32
+
+
+@pytest.mark.parametrize("namespace", (coscrew, _dispatch), ids=("compiled", "without compilation"))
+@pytest.mark.parametrize("given, error, message", (
+    ((np.eye(3, 4),), TypeError, r"takes 2 arguments \(D, ci\); got 1"),
+    ((np.eye(4), np.ones(6)), ValueError,
+     r"D has shape \(4, 4\); its last axes must be \(3, 4\)"),
+    ((np.eye(3, 4), np.ones(5)), ValueError, r"ci has shape \(5,\); its last axes must be \(6,\)"),
+    ((np.ones((2, 3, 4)), np.ones((3, 6))), ValueError,
+     r"leading axes \[\(2,\), \(3,\)\] do not broadcast")))
+def test_shapes_are_named(namespace, given, error, message):
+    with pytest.raises(error, match=f"^product_CoAdc: {message}$"):
+        namespace.product_CoAdc(*given)
+
+
+def test_single_takes_doubles_within_its_range():
+    c = np.array([1e30, 1.0, 0.1, 1e-60, np.inf, np.nan])
+    found = coscrew.single.coscrew_copy(c)
+    assert found.dtype == np.float32
+    assert found.tobytes() == c.astype(np.float32).tobytes()
+    c[0] = -1e39
+    with pytest.raises(ValueError, match=r"^coscrew_copy: ci: a number of magnitude 1e\+39 came; "
+                                         "the largest in float32 is 3.402823"):
+        coscrew.single.coscrew_copy(c)
+
+
+def test_gufuncs_are_still_numpys():
+    f = coscrew.product_CoAdc
+    D, c = np.eye(3, 4), np.arange(6.0)
+    assert isinstance(f, np.ufunc) and f.signature == "(3,4),(6)->(6)"
+    assert sorted(f.types) == ["dd->d", "ff->f"]
+    out = np.zeros((6,))
+    assert f(D, c, out) is out and f(D, c, out=(out,)) is out and (out == c).all()
+    assert f(D, c, dtype=np.float32).dtype == f(D, c, signature="ff->f").dtype == np.float32
+    assert f(D, c.astype(np.longdouble), dtype=float).dtype == float  # as asked
+    assert f(*(D, c), **{"axes": [(0, 1), 0, 0]}).tolist() == c.tolist()
+    assert f(D[:, :, None], c[:, None], axes=[(0, 1), 0, 0]).shape == (6, 1)
+    with pytest.raises(TypeError, match="unexpected keyword argument 'where_'"):
+        f(D, c, where_=True)
+    assert pickle.loads(pickle.dumps(f)) is f
+
+
+def test_errors_of_others_are_left_alone():
+    class Stubborn:
+        def __array_ufunc__(self, *arguments, **options):
+            raise LookupError("mine")
+
+        def __array__(self, dtype=None, copy=None):
+            raise AssertionError("never asked")
+
+    class Silent:
+        __array_ufunc__ = None
+
+    with pytest.raises(LookupError, match="^mine$"):
+        coscrew.coscrew_inverted(Stubborn())
+    with pytest.raises(TypeError, match="does not support ufuncs"):
+        coscrew.coscrew_inverted(Silent())
+    with np.errstate(all="raise"), pytest.raises(FloatingPointError):
+        coscrew.coscrew_scale(np.full(6, 1e200), 1e200)
