@@ -23,10 +23,10 @@ from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.states import JointState
 from coscrew_codegen.program import NotANumber
 
-FINE = 3
+FINE = 6
 """A step is split so that a contact's frequency at its deepest times a part's length is at most
-1/FINE.  Of a ball that bounces with 0.758 of its speed, parts twice as long …"""
-MOST = 256
+1/FINE: within a contact energy is off by 1e-3 of it at most, with parts twice as long by 4e-3."""
+MOST = 512
 """Parts of a step, at most."""
 
 

@@ -4,8 +4,9 @@ Looked at are, about 500 times a run:
 - momentum of what floats free, which is known for all times: the energy of the motion that is too
   much, against the largest kinetic energy so far;
 - energy, where nothing feeds it in or dissipates it: its change, against the same;
-- the step itself: one of h against two of h/2 from the same state.  Where the step resolves neither
-  stiffness nor turns they differ by a good part of the speeds, again and again.
+- the step itself: one of h against two of the default integrator's of h/2 from the same state.  Where
+  the step resolves neither stiffness nor turns they differ by a good part of the speeds, again and
+  again.  (Two of its own tell less: a saturated motor may stop steps of h and of h/2 alike.)
 """
 
 from dataclasses import dataclass, field
@@ -80,15 +81,16 @@ class Alarm:
         if not abs(off) > ALLOWED:
             return None
         return "energy is not kept", (f"it changed by {off:.2g} of the kinetic energy, and nothing "
-                                      f"feeds it in or dissipates it: {self._remedy(abs(off) / ALLOWED)}")
+                                      "feeds it in or dissipates it: "
+                                      f"{self._remedy(abs(off) / ALLOWED)}")
 
     def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
         its, allowed = self.system, RESOLVED[self._integrator.order]
         if self._integrator.name == DEFAULT and its.has("closing_contacts") \
                 and its.call("closing_contacts", h=h, q=q, v=v) > 0:
             return None
-        step = its.stepper(f"step_{self._integrator.step}")
-        once, twice = step(1, t, h, q, v)[1], step(2, t, h / 2, q, v)[1]
+        once = its.stepper(f"step_{self._integrator.step}")(1, t, h, q, v)[1]
+        twice = its.stepper(f"step_{named(DEFAULT).step}")(2, t, h / 2, q, v)[1]
         apart = np.asarray(twice, float) - once
         now = float(its.energies(t, q, v)[0])
         off = self._size(q, apart, max(now, _SLOW * self.kinetic))
