@@ -213,7 +213,7 @@ def test_a_balance_that_is_off_fails(tmp_path, capsys):
     assert main(words) == 1
     said = capsys.readouterr().out
     assert "DOUBTFUL" in said and "FALSE: double: energy is off by" in said
-    assert main([*words[:-3], "0.001", "--integrator", "leapfrog"]) == 0  # which resolves it
+    assert main([*words[:-3], "0.0001", "--integrator", "leapfrog"]) == 0  # resolved
     assert main([*words, "--strict"]) == 1
     path.write_text(texts.SPRING)
     assert main([*words, "--strict"]) == 0
