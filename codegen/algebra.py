@@ -56,6 +56,11 @@ def displacement(R: sp.Matrix, t: sp.Matrix) -> sp.Matrix:
     return sp.Matrix.hstack(R, t)
 
 
+def homogeneous(D: sp.Matrix) -> sp.Matrix:
+    """[[R, t], [0, 1]] of D = [R | t].  (3,4) -> (4,4)."""
+    return sp.Matrix.vstack(D, sp.Matrix([[0, 0, 0, 1]]))
+
+
 def inverse(D: sp.Matrix) -> sp.Matrix:
     """D^-1 = [R^T | -R^T t].  (3,4) -> (3,4)."""
     R = rotation(D)

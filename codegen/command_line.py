@@ -10,6 +10,8 @@ from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost import command as cost
 from coscrew_codegen.documentation import with_table
 from coscrew_codegen.dynamics import derive
+from coscrew_codegen.dynamics.assembly import ModelError
+from coscrew_codegen.dynamics.ranges import RangeError
 from coscrew_codegen.emit import (
     EmitError,
     differences,
@@ -23,14 +25,14 @@ from coscrew_codegen.operations import FAMILIES
 from coscrew_codegen.report import ReportError, command
 from coscrew_codegen.scene_files import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_layout import scene_files
 from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
 from coscrew_codegen.simulate import SimulateError, check_command
 from coscrew_codegen.simulate import command as simulate
 from coscrew_codegen.version import VERSION
 
-ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError)
+ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError, RangeError,
+          ModelError)
 DEFAULT_OUTPUT = "generated"
 
 
@@ -64,6 +66,7 @@ def _parser() -> argparse.ArgumentParser:
                           help="double, single or both (default)")
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
+    simulate.add_implausible(generate)
     generate.set_defaults(run=_generate)
     for subcommand in (simulate, check_command, cost, catalogue, command):
         subcommand.add_parser(commands)
@@ -91,20 +94,25 @@ def _generate(options: argparse.Namespace) -> int:
 
 def _generate_scene(options: argparse.Namespace) -> int:
     """Write a scene's dynamics; what its model says and nothing uses goes to standard error."""
-    given = [name for name in ("family", "precision", "language") if getattr(options, name)]
+    given = [name for name in ("family", "language") if getattr(options, name)]
+    if options.precision not in (None, "double", "both"):
+        raise SelectionError(f"--precision {options.precision}: a scene's files hold double "
+                             "precision, or both")
     if given:
         raise SelectionError(f"--{given[0]} selects kernels of the library; a scene's files are "
                              f"always whole")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
-    scene = read_scene(options.scene)
+    scene = simulate.scene_of(options, options.precision)
     for line in scene.unused:
         print(f"{options.scene.name}: {line}", file=sys.stderr)
-    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}")
+    said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
+                   if (word := getattr(options, name)))
+    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:
         refuse_others(files, folder)
-    return _deliver(f"coscrew generate {options.scene} -o {folder}", files, folder,
+    return _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
                     stale_files(files, folder), options.check, str(folder))
 
 

@@ -204,6 +204,6 @@ def _units(operation: Operation,
 
 def _parts(operation: Operation) -> list[tuple[str, str]]:
     """What each component is measured with: the whole output where that is named, else the part."""
-    named = {name for name, _ in operation.normwise}
+    named = {bound.part for bound in operation.normwise}
     return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
             for a in operation.outputs for at in a.quantity.indices]

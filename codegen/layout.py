@@ -10,7 +10,7 @@ from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
 from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.selection import Selection
-from coscrew_codegen.targets import c, c_storage, numpy
+from coscrew_codegen.targets import c, c_ksl, c_storage, numpy
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.plain import plain
 from coscrew_codegen.tiers.table import TIERS, Tier
@@ -21,7 +21,9 @@ Programs = dict[str, Program]
 
 # What a family's header includes, so that any header may come first.
 _INCLUDES = {
-    "vec3": (), "trig": (), "mat6x6": (), "mat3x3": ("vec3",), "SE3": ("mat3x3",),
+    "vec3": (), "vec4": (), "trig": (), "mat6x6": (), "axis": ("vec3",),
+    "array": (), "mat3x3": ("vec3", "axis"), "SE3": ("mat3x3",),
+    "mat4x4": ("SE3", "vec4"),
     "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
     "quaternion": ("mat3x3",), "exponential": ("quaternion", "SE3", "screw"),
     "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3", "coscrew"),
@@ -45,6 +47,9 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
     headers = _headers(selection, programs)
     if "c" in selection.languages:
         files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
+        files |= {f"c/include/ksl/{name}.h": render("c/refused.h", banner=selection.banner,
+                                                    what=what, sentence=sentence)
+                  for name, (what, sentence) in c_ksl.REFUSED.items()}
     for tier in (None, *TIERS):
         made = headers
         if tier and "c" in selection.languages:
@@ -96,24 +101,36 @@ def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
     """The headers by name, each after those it includes."""
     families = selection.families
     headers = {"ksl_types": _types_header(selection)}
-    for family in families:
+    for name, title in _header_titles(families).items():
         functions = [function for precision in selection.precisions
-                     for function in (*c_storage.storage_functions(family, precision),
-                                      *_c_functions(selection, programs, family, precision))]
-        allocations = [c_storage.allocation(family, precision)
+                     for function in (*c_storage.storage_functions(name, precision),
+                                      *_c_functions(selection, programs, name, precision))]
+        allocations = [c_storage.allocation(name, precision)
                        for precision in selection.precisions]
-        headers[family] = render(
-            "c/family.h", banner=selection.banner, title=family_title(family),
-            guard=f"KSL_{family.upper()}_H", functions=functions,
-            includes=("ksl_types", *_included(family, families)),
+        headers[name] = render(
+            "c/family.h", banner=selection.banner, title=title,
+            guard=f"KSL_{name.upper()}_H", functions=functions,
+            includes=("ksl_types", *_included(name, families)),
+            system=c_ksl.SYSTEM.get(name, ()),
+            by_hand=c_ksl.text(name, tuple(_header_titles(families)), selection.precisions),
             allocations=[function for function in allocations if function])
     headers["ksl_selfcheck"] = render(
         "c/ksl_selfcheck.h", banner=selection.banner,
         precisions=list(map(c_storage.selfcheck_numbers, selection.precisions)))
     headers["ksl"] = render(
-        "c/ksl.h", banner=selection.banner, includes=(*families, "ksl_selfcheck"), guard="KSL_H",
+        "c/ksl.h", banner=selection.banner, guard="KSL_H",
+        includes=(*_header_titles(families), "ksl_selfcheck"),
         title="Everything: vectors, rotations, displacements, screws and coscrews.")
     return headers
+
+
+def _header_titles(families: tuple[str, ...]) -> dict[str, str]:
+    """The headers of KSL's names, each after those it includes, with their first lines."""
+    titles: dict[str, str] = {}
+    for family in families:
+        titles[family] = family_title(family)
+        titles |= {name: title for name, (after, title) in c_ksl.HEADERS.items() if after == family}
+    return titles
 
 
 def _c_functions(selection: Selection, programs: Programs, family: str,
@@ -127,17 +144,20 @@ def _types_header(selection: Selection) -> str:
     types = [{"name": c.type_name(quantity.name, precision),
               "meaning": f"{c_storage.meaning(quantity)}; {precision.name} precision.",
               "views": c_storage.views(quantity, precision)}
-             for quantity in c_storage.TYPES for precision in selection.precisions]
+             for quantity in c_storage.TYPES
+             for precision in (*selection.precisions,
+                               *[c_storage.INTEGER] * (quantity in c_storage.INTEGRAL))]
     return render("c/ksl_types.h", banner=selection.banner, types=types, version=VERSION,
                   parts=zip(("MAJOR", "MINOR", "PATCH"), numbers()),
-                  precisions=[precision.name for precision in selection.precisions])
+                  precisions=[precision.name for precision in selection.precisions],
+                  sequences=[name for name, _ in c_ksl.SEQUENCES])
 
 
 def _included(family: str, families: tuple[str, ...]) -> tuple[str, ...]:
     """The selected families a header includes directly; through those left out, theirs."""
     found: list[str] = []
     for other in _INCLUDES[family]:
-        found += [other] if other in families else _included(other, families)
+        found += [other] if other in _header_titles(families) else _included(other, families)
     return tuple(dict.fromkeys(found))
 
 
@@ -156,7 +176,7 @@ def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[
                 "c/family.h", banner=selection.banner,
                 title=f"{family_title(family)}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.name.upper()}_H", functions=functions,
-                includes=(tier.header,), allocations=[])
+                includes=(tier.header,), system=(), by_hand="", allocations=[])
     umbrella = tuple(name for name in headers if name != "ksl_exact")
     headers[f"ksl_{tier.name}"] = render(
         "c/ksl.h", banner=selection.banner, includes=umbrella,

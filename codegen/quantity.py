@@ -72,12 +72,14 @@ def _halves(name: str, words: str) -> Quantity:
 SCALAR = _whole("scalar", (), "number")
 DC = _whole("dc", (2,), "(sin θ, cos θ)")
 VEC3 = _whole("vec3", (3,), "vector")
+VEC4 = _whole("vec4", (4,), "vector (x, y, z) and a homogeneous coordinate w")
 MAT3X3 = _whole("mat3x3", (3, 3), "rotation or other 3×3 matrix")
 SE3 = Quantity("SE3", (3, 4), (Part("R", range(3), range(3)), Part("t", range(3), range(3, 4))),
                "displacement [R | t], R rotation, t in m")
 SCREW = _halves("screw", "screw (v in m/s; ω in rad/s)")
 COSCREW = _halves("coscrew", "coscrew (f in N; τ in N m)")
 ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top")
+MAT4X4 = _whole("mat4x4", (4, 4), "4×4 matrix")
 MAT6X6 = _whole("mat6x6", (6, 6), "6×6 operator")
 QUATERNION = Quantity("quaternion", (4,), (Part("v", range(3), range(1)),
                                            Part("w", range(3, 4), range(1))),
@@ -88,8 +90,23 @@ INERTIA = Quantity("inertia", (10,), (Part("m", range(1), range(1)),
                    "spatial inertia (m in kg; h = m c in kg m; I about the origin, "
                    "xx, yy, zz, xy, xz, yz in kg m^2)")
 
-QUANTITIES = (SCALAR, DC, VEC3, MAT3X3, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
+QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
               QUATERNION, INERTIA)
+
+
+@dataclass(frozen=True)
+class Domain:
+    """What an input may be for a bound that was searched to hold; `words` say it of {x}."""
+
+    words: str
+
+
+ANY, ROTATION = Domain(""), Domain("{x} a rotation")
+UNIT, FRACTION = Domain("|{x}| = 1"), Domain("0 <= {x} <= 1")
+TURN, HALF_TURN = Domain("|{x}| <= 1e13, in single precision 1e5"), Domain("|{x}| <= π")
+ORDINARY = Domain("2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
+"""ROTATION, UNIT: but for one rounding of each component.  TURN, HALF_TURN: the angle of a rotation
+vector, or of a screw's angular part."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +115,13 @@ class Argument:
 
     name: str
     quantity: Quantity
+    domain: Domain = ANY
+
+    @property
+    def domain_in_words(self) -> str:
+        """'|v| <= π'; empty where it may be anything."""
+        angular = any(part.name == "ang" for part in self.quantity.parts)
+        return self.domain.words.format(x=f"ω of {self.name}" if angular else self.name)
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:

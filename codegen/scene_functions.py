@@ -45,6 +45,7 @@ class SceneFunctions:
     neutral: tuple[float, ...]  # q where every joint is at rest in its placement
     functions: tuple[Function, ...]
     steps: tuple[str, ...]  # names of integrators: semi_implicit_euler, linear_implicit_euler, rk4
+    precisions: tuple[str, ...] = ("double", "single")  # those it is emitted in
 
     @property
     def timed(self) -> bool:

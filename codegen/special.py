@@ -25,7 +25,14 @@ def _once(function: Callable) -> Callable:
 
 @_once
 def g(k: Number, x: Number) -> Number:
-    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost."""
+    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost; for a large x by
+    g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses none."""
+    if x > 10**4:
+        root, k = mpmath.sqrt(x), int(k)
+        found = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)
+        for n in range(k % 2, k, 2):
+            found = (1 / mpmath.factorial(n) - found) / x
+        return found
     with mpmath.workdps(mpmath.mp.dps + int(mpmath.sqrt(x)) + 10):
         term, total, j = 1 / mpmath.factorial(k), mpmath.mpf(0), 0
         while abs(term) > mpmath.eps or (2 * j)**2 < x:
@@ -188,6 +195,46 @@ def solution(i: Number, *numbers: Number) -> Number:
     return _number(_determinant(replaced) / _determinant(A))
 
 
+def inverse(i: Number, j: Number, *R: Number) -> Number:
+    """The quotient of a cofactor and the determinant."""
+    rows = tuple(tuple(map(rational, R[n:n + 3])) for n in (0, 3, 6))
+    minor = tuple(tuple(x for m, x in enumerate(row) if m != int(i))
+                  for n, row in enumerate(rows) if n != int(j))
+    return _number(_determinant(minor) * (-1)**int(i + j) / _determinant(rows))
+
+
+@_once
+def _orthonormal_rows(*R: Number) -> matrix:
+    rows = [matrix(R[n:n + 3]) for n in (0, 3, 6)]
+    for i, row in enumerate(rows):
+        for other in rows[:i]:
+            row = row - mpmath.fdot(other, row) * other
+        rows[i] = row / mpmath.norm(row)
+    return matrix([list(row) for row in rows])
+
+
+def orthonormal_rows(i: Number, j: Number, *R: Number) -> Number:
+    """Each row less its projections on those before it, over its length."""
+    return _orthonormal_rows(*R)[int(i), int(j)]
+
+
+@_once
+def _jacobi(*numbers: Number) -> tuple[matrix, matrix]:
+    A, V = (matrix([numbers[i:i + 3] for i in range(start, start + 9, 3)]) for start in (0, 9))
+    A = matrix([[A[max(i, j), min(i, j)] for j in range(3)] for i in range(3)])
+    angle = mpmath.atan2(2 * A[0, 1], A[1, 1] - A[0, 0]) / 2
+    if abs(angle) > mpmath.pi / 4 or angle == -mpmath.pi / 4:
+        angle -= mpmath.sign(angle) * mpmath.pi / 2
+    s, c = mpmath.sin(angle), mpmath.cos(angle)
+    J = matrix([[s, 0, c], [c, 0, -s], [0, 1, 0]])  # its columns: y, z, x
+    return J.T * A * J, V * J
+
+
+def jacobi(k: Number, i: Number, j: Number, *numbers: Number) -> Number:
+    """Of J^T A J and V J, J turning by half the angle of (A_yy - A_xx, 2 A_xy), at most π/4."""
+    return _jacobi(*numbers)[int(k)][int(i), int(j)]
+
+
 def rational(x: Number) -> mpq:
     """The number itself: mpmath's numbers are binary fractions."""
     return mpq(*mpmath.libmp.to_rational(x._mpf_))
@@ -199,4 +246,5 @@ def _number(x: mpq) -> Number:
 
 SPECIAL: dict[str, Callable[..., Number]] = {
     f.__name__: f for f in (g, b, quaternion_of, quaternion_log, slerp, interpolated, factor,
-                            smallest_pivot, solution)}
+                            smallest_pivot, solution, inverse, orthonormal_rows,
+                            jacobi)}

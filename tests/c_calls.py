@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import permutations
 
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import MAT3X3, MAT6X6, SE3, Argument, Quantity
+from coscrew_codegen.quantity import MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
 from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
 from coscrew_codegen.targets.precision import Precision
@@ -22,6 +22,7 @@ from tests.c_harness import call_of, distinct, is_array
 PLACES = {
     "SE3": {"mat3x3": ("R",), "vec3": ("t", "v1")},
     "mat3x3": {"vec3": ("v0", "v2"), "dc": ("at[1]",)},
+    "mat4x4": {"vec4": ("v1",), "vec3": ("v3.r",)}, "vec4": {"vec3": ("r",)},
     "screw": {"vec3": ("lin", "ang"), "angular_first": ("at",)},
     "coscrew": {"vec3": ("lin", "ang"), "angular_first": ("at",)},
 }
@@ -98,7 +99,7 @@ hold({stem}_alloc(0) == NULL, "{stem}_alloc(0)");
 hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
 
 # KSL's allocators return identities of these types, zeros of the others: where ones stand.
-_UNITY = {"mat3x3": (0, 4, 8), "SE3": (0, 4, 8), "quaternion": (3,)}
+_UNITY = {"mat3x3": (0, 4, 8), "mat4x4": (0, 5, 10, 15), "SE3": (0, 4, 8), "quaternion": (3,)}
 
 
 def program(precision: Precision, tier: str = "") -> str:
@@ -199,7 +200,7 @@ def _storage(precision: Precision) -> Iterator[tuple[str, list[str]]]:
         array = "as_array" if columns > 1 else "at"
         if quantity != MAT6X6:
             yield f"{stem}_by_rows", _constructed(stem, stem, by_rows, array)
-        if quantity in (MAT3X3, SE3):
+        if quantity in (MAT3X3, MAT4X4, SE3):
             yield f"{stem}_by_columns", _constructed(stem, f"{stem}_cmo", sorted(by_rows), array)
         if quantity == SE3:
             yield f"{stem}_identity_is_one", [

@@ -15,9 +15,12 @@ from pathlib import Path
 import sympy as sp
 from pycparser import CParser, c_ast
 
+from coscrew_codegen.targets.c_ksl import MARK, REFUSED
+
 INCLUDE = Path(__file__).parent.parent / "generated" / "c" / "include" / "ksl"
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
-                        if not re.match(r"ksl|.*_(fused|accurate|certified)$", path.stem)))  # plain
+                        if not re.match(r"ksl|.*_(fused|accurate|certified)$", path.stem)
+                        and path.stem not in REFUSED))  # plain
 
 _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2": sp.atan2}
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
@@ -139,8 +142,10 @@ def functions_in(family: str) -> dict[str, str]:
 
 
 def _clean(text: str) -> str:
+    """Without comments, directives and what stands beside formulas, at the end."""
+    text = text.partition(MARK)[0]
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-    text = re.sub(r"^#.*\n", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^#(.*\\\n)*.*\n", "", text, flags=re.MULTILINE)
     return text.replace("KSL_VIEW", "struct").replace("static inline ", "")
 
 
@@ -290,6 +295,8 @@ def _layout(node: c_ast.Node, types: dict[str, Type]) -> Type:
     match node:
         case c_ast.IdentifierType():
             return types.get(node.names[-1]) or Scalar(node.names[-1])
+        case c_ast.Enum():
+            return Scalar("int")
         case c_ast.ArrayDecl():
             return Array(_layout(node.type, types), int(node.dim.value))
         case c_ast.Struct() | c_ast.Union():

@@ -5,13 +5,17 @@ the inputs stay in the domain, rounded once.
 """
 
 import functools
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from coscrew_codegen.operations import Operation
+from coscrew_codegen.quantity import FRACTION as A_FRACTION
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.quantity import TURN as ANY_TURN
+from coscrew_codegen.quantity import UNIT as OF_LENGTH_1
 from tests.attack import TIERED
 
 Rows = np.ndarray  # (n, columns)
@@ -36,14 +40,27 @@ def domains(operation: Operation) -> tuple[Domain, ...]:
 
 
 def _domain(operation: Operation, argument: Argument) -> Domain:
-    kind = argument.quantity.name
+    kind, unit = argument.quantity.name, argument.domain == OF_LENGTH_1
     if kind == "scalar":
-        return FRACTION if argument.name == "k" else ANGLE
+        return FRACTION if argument.domain == A_FRACTION else ANGLE
+    if argument.domain == ANY_TURN:
+        return LARGE_TURN if kind == "vec3" else LARGE_MOTION
     if kind == "vec3":
-        return UNIT_VECTOR if argument.name == "axis" else TURN
+        return UNIT_VECTOR if unit else TURN
     if kind == "quaternion":
-        return UNIT_QUATERNION if len(operation.inputs) > 1 else QUATERNION
+        return UNIT_QUATERNION if unit else QUATERNION
     return {"mat3x3": ROTATION, "SE3": DISPLACEMENT, "screw": MOTION}[kind]
+
+
+def angle(operation: Operation, given: Sequence[float]) -> float:
+    """Of the input that may turn by any angle; 0 where there is none."""
+    start = 0
+    for a in operation.inputs:
+        numbers = given[start:start + a.quantity.size]
+        if a.domain == ANY_TURN:
+            return math.hypot(*numbers[-3:])
+        start += a.quantity.size
+    return 0.0
 
 
 def defect(operation: Operation, given: Sequence[float]) -> float:
@@ -103,6 +120,14 @@ def _turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
     return directions(rng, n) * angles(rng, n)[:, None]
 
 
+def _large_turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
+    """A third beyond π, to 1e5, half of them next to a multiple of π/2."""
+    far = np.exp(rng.uniform(np.log(np.pi), np.log(5e4), n))
+    near = np.rint(far / (np.pi / 2)) * (np.pi / 2) + np.exp2(-rng.uniform(0, 40, n))
+    large = np.where(rng.random(n) < 0.5, far, near)
+    return directions(rng, n) * np.where(rng.random(n) < 1 / 3, large, angles(rng, n))[:, None]
+
+
 def _wide(rng: Generator, n: int, dtype: np.dtype) -> Rows:
     """Vectors from 2^-40 to 2^40 long, a quarter with components of different sizes."""
     x = directions(rng, n) * np.exp2(rng.uniform(-40, 40, (n, 1)) * (rng.random((n, 1)) < 0.5))
@@ -157,6 +182,10 @@ FRACTION = Domain(lambda rng, n, dtype: rng.choice([0, 1, 0.5, *rng.uniform(0, 1
 ROTATION = Domain(_turns, rotation_matrices)
 DISPLACEMENT = Domain(lambda rng, n, dtype: np.hstack([_turns(rng, n, dtype),
                                                        _wide(rng, n, dtype)]), _displacements)
+LARGE_TURN = Domain(_large_turns, lambda p: np.clip(p, -5e4, 5e4))
+LARGE_MOTION = Domain(lambda rng, n, dtype: np.hstack([_wide(rng, n, dtype),
+                                                       _large_turns(rng, n, dtype)]),
+                      lambda p: np.hstack([p[:, :3], np.clip(p[:, 3:], -5e4, 5e4)]))
 MOTION = Domain(lambda rng, n, dtype: np.hstack([_wide(rng, n, dtype), _turns(rng, n, dtype)]),
                 lambda p: np.hstack([p[:, :3], _within_pi(p[:, 3:])]))
 

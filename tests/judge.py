@@ -19,7 +19,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests.attack import TIERED, UNIT, bounds, exact_functions, plain_program
-from tests.domains import defect
+from tests.domains import angle, defect
 from tests.truths import Components, other_way, truth
 
 # k of |x̂ - x| <= k u |x| in the plain tier, counted along the roundings: n squares and their sum
@@ -36,13 +36,14 @@ DEFECT = 4  # times the input's distance from a rotation: what "off by as much a
 
 @dataclass(frozen=True)
 class Group:
-    """Output components `places`, each off by at most k u of the largest of them, or of the same
-    part of an input of the same kind, or of `floor`, if that is larger."""
+    """Output components `places`, each off by at most (k + θ slope) u of the largest of them, or of
+    these components of inputs, or of `floor`, if that is larger."""
 
     places: tuple[int, ...]
     k: float
     inputs: tuple[int, ...] = ()
     floor: float = 0
+    slope: float = 0
 
 
 JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise or op.name in RELATIVE)
@@ -65,18 +66,12 @@ def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
         return tuple(Group((i,), k, floor=floor) for i in range(size))
     names = [{a.name, a.quantity.parts[a.quantity.place(*place)[0]].name}
              for a in operation.outputs for place in a.quantity.indices]
-    parts = [(tuple(i for i in range(size) if name in names[i]), k)
-             for name, k in operation.normwise]
-    return tuple(Group(places, k, _same_part(operation, places)) for places, k in parts)
-
-
-def _same_part(operation: Operation, places: tuple[int, ...]) -> tuple[int, ...]:
-    """Where inputs have the part that these are of the output, if they are of its kind: a
-    displacement between two others is as good as their translations are long."""
-    outputs = [(a.quantity, i) for a in operation.outputs for i in range(a.quantity.size)]
-    inputs = [(a.quantity, i) for a in operation.inputs for i in range(a.quantity.size)]
-    wanted = {outputs[place] for place in places}
-    return tuple(number for number, place in enumerate(inputs) if place in wanted)
+    inputs = [f"{a.name}.{a.quantity.parts[a.quantity.place(*place)[0]].name}"
+              for a in operation.inputs for place in a.quantity.indices]
+    return tuple(Group(tuple(i for i in range(size) if bound.part in names[i]), bound.k,
+                       tuple(i for i, name in enumerate(inputs) if name in bound.beside),
+                       slope=1 / bound.per_angle if bound.per_angle else 0)
+                 for bound in operation.normwise)
 
 
 def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
@@ -159,7 +154,8 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
     for group in groups(operation, tier):
         size = max(group.floor, *(abs(expected[i]) for i in group.places),
                    *(abs(given[i]) for i in group.inputs))
-        allowed = (group.k + extra + slack) * u * (1 + 1024 * u) * size + lost
+        k = group.k + group.slope * angle(operation, given)
+        allowed = (k + extra + slack) * u * (1 + 1024 * u) * size + lost
         for i in group.places:
             if math.isfinite(got[i]):
                 worst = max(worst, float(abs(mp.mpf(got[i]) - expected[i]) / allowed))

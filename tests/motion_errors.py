@@ -39,22 +39,24 @@ def unit(precision: Precision) -> mp.mpf:
 
 def errors(operation: Operation, given: list[Objects], found: list[Objects],
            truths: list[list[Objects]]) -> dict[str, mp.mpf]:
-    """Of each part that has a bound, the largest error as a part of its largest component, in the
-    output or an input of its kind; against the nearest of the truths."""
+    """Of each part that has a bound, the largest error as a part of its largest component, or of
+    the parts of inputs that are named beside it; against the nearest of the truths."""
     return min((_errors(operation, given, found, truth) for truth in truths),
                key=lambda parts: max(parts.values()))
 
 
 def _errors(operation: Operation, given: list[Objects], found: list[Objects],
             truth: list[Objects]) -> dict[str, mp.mpf]:
-    result, bounds = {}, dict(operation.normwise)
+    result, bounds = {}, {bound.part: bound for bound in operation.normwise}
     for output, x, t in zip(operation.outputs, found, truth, strict=True):
-        alike = [y for a, y in zip(operation.inputs, given, strict=True)
-                 if a.quantity == output.quantity]
         for part in output.quantity.parts:
             whole = part.name not in bounds
             inside = ... if whole else np.ix_(part.rows, part.columns)
-            size = max(abs(c) for y in (t, *alike) for c in np.ravel(y[inside]))
+            bound = bounds[output.name if whole else part.name]
+            beside = [given[number][np.ix_(of.rows, of.columns)]
+                      for number, a in enumerate(operation.inputs) for of in a.quantity.parts
+                      if f"{a.name}.{of.name}" in bound.beside]
+            size = max(abs(c) for y in (t[inside], *beside) for c in np.ravel(y))
             error = max(map(abs, np.ravel((x - t)[inside])))
             result[output.name if whole else part.name] = (
                 error / size if size else mp.inf if error else mp.mpf(0))

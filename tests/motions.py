@@ -26,7 +26,18 @@ def norm(x: Matrix) -> mp.mpf:
 
 
 def exponential_series(A: Matrix, first: int = 0) -> Matrix:
-    """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian for first = 1."""
+    """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian J for first = 1.  Of a large A
+    that of A / 2^n, and then J(2 A) = J(A) (exp A + 1) / 2, exp 2 A = (exp A)²."""
+    halvings = max(0, mp.frexp(mp.mnorm(A, mp.inf))[1] - 7)
+    with mp.extradps(halvings):
+        exp, J = (_series(A / 2**halvings, n) for n in (0, first))
+        for _ in range(halvings):
+            J = J * (exp + mp.eye(A.rows)) / 2
+            exp = exp * exp
+    return J if first else exp
+
+
+def _series(A: Matrix, first: int) -> Matrix:
     cancelling = 400  # bits: more than the largest term has for angles up to 200
     with gmpy2.context(precision=mp.mp.prec + cancelling):
         a = np.array([[_mpfr(x) for x in row] for row in A.tolist()])

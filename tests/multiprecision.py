@@ -1,8 +1,8 @@
 """Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
 
 In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
-So, where asked for, roots, quotients, sums with GRID and squares of numbers as large are rounded as
-in the kernel's precision; all else never is.
+So, where asked for, roots, quotients and sums with multiples of GRID are rounded as in the kernel's
+precision; all else never is.
 """
 
 import operator
@@ -58,12 +58,14 @@ class Rules:
     def grid(self) -> int:
         return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
 
-    def sum(self, function: Callable, x: mp.mpf, y: mp.mpf) -> mp.mpf:
-        return self.rounded(function, x, y) if self.grid in (x, y) else function(x, y)
+    def sum(self, function: Callable, x: "Number", y: object) -> "Number":
+        rounds = x.is_grid or getattr(y, "is_grid", False)
+        return x._with(partial(self.rounded, function) if rounds else function, y)
 
-    def product(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
-        large_square = x == y and abs(x) > self.grid
-        return self.rounded(operator.mul, x, y) if large_square else x * y
+    def product(self, x: "Number", y: object) -> "Number":
+        found = x._with(operator.mul, y)
+        found.is_grid = self.grid in (x.value, value_of(y))
+        return found
 
     def quotient(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
         return self.rounded(operator.truediv, x, y)
@@ -76,15 +78,15 @@ class Number:
     """A number under rules."""
 
     def __init__(self, value: mp.mpf, rules: Rules):
-        self.value, self.rules = value, rules
+        self.value, self.rules, self.is_grid = value, rules, False  # a multiple of GRID
 
     def _with(self, function: Callable, *others: object) -> "Number":
         return Number(function(self.value, *map(value_of, others)), self.rules)
 
-    def __add__(self, other): return self._with(partial(self.rules.sum, operator.add), other)
-    def __sub__(self, other): return self._with(partial(self.rules.sum, operator.sub), other)
+    def __add__(self, other): return self.rules.sum(operator.add, self, other)
+    def __sub__(self, other): return self.rules.sum(operator.sub, self, other)
     def __rsub__(self, other): return -self + other
-    def __mul__(self, other): return self._with(self.rules.product, other)
+    def __mul__(self, other): return self.rules.product(self, other)
     def __truediv__(self, other): return self._with(self.rules.quotient, other)
     def __rtruediv__(self, other): return self.rules.number(other) / self
     def __neg__(self): return self._with(operator.neg)

@@ -24,7 +24,7 @@ from tests.attack import (TIERED, UNIT, Arrays, Implementation, bounds, exact_fu
 from tests.attack import rows as attacking_rows
 from tests.calls import TIER_NAMES, of_tier, tiers_of
 from tests.corpus import TABLE, Case, load, save
-from tests.domains import Generator, Rows, domains
+from tests.domains import Generator, Rows, angle, domains
 from tests.extended import evaluate
 from tests.judge import JUDGED, groups, ratio
 
@@ -128,7 +128,8 @@ def _estimate(operation: Operation, precision: Precision, tier: str, inputs: Row
             for group in groups(operation, tier):
                 places, same = list(group.places), list(group.inputs)
                 sizes = np.abs(np.hstack([expected[:, places], inputs[:, same]])).max(axis=1)
-                allowed[:, places] = group.k * u * np.maximum(sizes, group.floor)[:, None]
+                k = group.k + group.slope * np.array([angle(operation, row) for row in inputs])
+                allowed[:, places] = (k * u * np.maximum(sizes, group.floor))[:, None]
         return _usable(np.abs(results - expected), allowed, info)
 
 

@@ -37,6 +37,18 @@ class Half:
         return np.ones(6, np.float16)
 
 
+class Table:
+    """As a table of pandas, which would pass its columns where rows are meant."""
+
+    __pandas_priority__ = 4000
+
+    def __array__(self, dtype=None, copy=None):
+        return np.ones(6)
+
+    def __array_ufunc__(self, ufunc, method, *arguments, **options):
+        return "columns"
+
+
 def wrong(shape: tuple[int, ...]) -> dict[str, object]:
     """Arguments of this shape that are refused, by what the error says."""
     ones = np.ones(shape)
@@ -47,6 +59,7 @@ def wrong(shape: tuple[int, ...]) -> dict[str, object]:
         "a masked array came": np.ma.masked_array(ones, ones > 2),
         "objects (NoneType) came": np.full(shape, None),
         "objects (str) came": np.full(shape, "one", object),
+        "a pandas Table came; its to_numpy() is wanted": Table(),
         "list came": [[1.0], [1.0, 2.0]],
         "Tracer came, of which NumPy makes no array (a traced array)":
             Tracer(TypeError("a traced array\nwith much to say")),

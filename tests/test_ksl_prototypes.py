@@ -1,83 +1,67 @@
-"""Every function shared with KSL (Kinematics Subroutine Library) has its parameters, in its order.
+"""Every function of KSL (Kinematics Subroutine Library) is here, with its parameters, in its order.
 
-The table holds the prototypes of KSL's headers in short: `R(D, c)` style letters for types, outputs
-behind the arrow.  A C compiler compares them with ours, in both precisions.
+tests/references/ksl_prototypes.txt holds the prototypes of KSL's headers in short.  C compilers
+compare them with ours; what is written for KSL includes them as "ksl/X.h", in any order.
 """
+
+import random
 
 import pytest
 
-from coscrew_codegen.targets.c import c_name
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
-from tests.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
+from coscrew_codegen.targets.c_ksl import REFUSED
+from tests.c_harness import C11, COMPILERS, CXX17, DIALECTS, INCLUDE, STRICT, run
+from tests.ksl_interface import Prototype, prototypes
 
-TYPES = {"V": "vec3", "M": "mat3x3", "D": "SE3", "S": "screw", "C": "coscrew"}
+HEADERS = tuple(dict.fromkeys(p.header for p in prototypes()))
+compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
-# What is passed → names.  A letter is a pointer to const, one with ! a pointer that is written,
-# a the number, d the pair dc[2]; before the colon, what is returned.
-PROTOTYPES = {
-    "a:V": "vec3_l2norm", "a:V,V": "dot_vv", "a:M": "mat3x3_determinant",
-    "a:S": "screw_norm", "a:C": "coscrew_norm", "a:C,S": "dot_cs",
-    "void:V!": "vec3_normalize vec3_invert", "void:V!,V!": "vec3_swap", "void:V!,a": "vec3_scale",
-    "void:V,V!": "vec3_normalized vec3_copy vec3_inverted xpy_vv nxpy_vv",
-    "void:V,a,V!": "vec3_scaled add_vvx add_vvxinv add_vvy add_vvyinv add_vvz add_vvzinv",
-    "void:a,V,V!": "product_av product_avinv product_ainvv axpy_vv",
-    "void:V,V,V!": "add_vv subtract_vv cross_vv cross_vvinv",
-    "void:M!": "mat3x3_setIdentity mat3x3_transpose",
-    "void:M!,V,V,V": "mat3x3_setFromVectors",
-    "void:M,M!": "mat3x3_copy mat3x3_transposed",
-    "void:D!": "SE3_setIdentity SE3_invert", "void:D,D!": "SE3_inverted SE3_copy",
-    "void:D,V!": "SE3_getTranslation",
-    "void:M,V,V!": "product_drv product_drvinv product_drinvv product_drinvvinv",
-    "void:M,a,V!": "product_drvtx product_drvtxinv product_drvty product_drvtyinv product_drvtz "
-                   "product_drvtzinv",
-    "void:M,d,M!": "product_drdrx product_drdrxinv product_drdry product_drdryinv product_drdrz "
-                   "product_drdrzinv",
-    "void:M,M,M!": "product_drdr product_drdrinv product_drinvdr",
-    "void:D,V,V!": "product_dv product_dinvv",
-    "void:D,d,D!": "product_ddrx product_ddrxinv product_ddry product_ddryinv product_ddrz "
-                   "product_ddrzinv",
-    "void:D,V,D!": "product_ddt product_ddtinv product_dinvdt",
-    "void:D,a,D!": "product_ddtx product_ddtxinv product_ddty product_ddtyinv product_ddtz "
-                   "product_ddtzinv",
-    "void:D,M,D!": "product_ddr product_ddrinv",
-    "void:D,D,D!": "product_dd product_ddinv product_dinvd",
-    "void:S!": "screw_normalize screw_invert", "void:S!,a": "screw_scale",
-    "void:S,S!": "screw_normalized screw_copy screw_inverted xpy_ss nxpy_ss",
-    "void:a,S,S!": "product_as axpy_ss",
-    "void:S,S,S!": "add_ss subtract_ss add_sst cross_ss cross_sst",
-    "void:D,S!": "hstx hsty hstz hsrx hsry hsrz hstxinv hstyinv hstzinv hsrxinv hsryinv hsrzinv",
-    "void:M,S,S!": "product_Adrs product_Adrsinv product_Adrinvs",
-    "void:V,S,S!": "product_Adts product_Adtinvs product_Adtsinv",
-    "void:D,S,S!": "product_Ads product_Adsinv product_Adinvs",
-    "void:C!": "coscrew_normalize coscrew_invert", "void:C!,a": "coscrew_scale",
-    "void:C,C!": "coscrew_copy coscrew_inverted xpy_cc nxpy_cc",
-    "void:a,C,C!": "product_ac axpy_cc", "void:C,C,C!": "add_cc subtract_cc add_cct",
-    "void:D,C!": "hctx hcty hctz hcrx hcry hcrz hctxinv hctyinv hctzinv hcrxinv hcryinv hcrzinv",
-    "void:S,C,C!": "cross_sc cross_sca",
-    "void:V,C,C!": "product_CoAdtc product_CoAdtcinv product_CoAdtinvc",
-    "void:M,C,C!": "product_CoAdrc product_CoAdrcinv product_CoAdrinvc",
-    "void:D,C,C!": "product_CoAdc product_CoAdcinv product_CoAdinvc",
-}
+# Pointers to numbers that these read only are pointers to const here: callers need not know.
+TO_CONST = ("ksl_quaternion_product_q", "ksl_product_q")
 
 
-def declaration(prototype: str, name: str, precision: Precision) -> str:
-    """C: a pointer to a function of KSL's type, set to our function."""
-    kind, _, passed = prototype.partition(":")
-    real = precision.c_type
-    spelled = {"a": real, "d": f"const {real} [2]"} | {
-        letter + mark: f"{const}ksl_{stem}{precision.suffix}_t *"
-        for letter, stem in TYPES.items() for mark, const in (("", "const "), ("!", ""))}
-    parameters = ", ".join(spelled[p] for p in passed.split(","))
-    returned = real if kind == "a" else "void"
-    return f"{returned} (*const is_{name})({parameters}) = {c_name(name, precision)};"
+def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
+    """C: a pointer to a function of KSL's type for each, set to ours."""
+    lines = [f'#include "ksl/{header}"' for header in includes]
+    for prototype in wanted:
+        lines += [f"extern {prototype.pointer};", f"{prototype.pointer} = {prototype.name};"]
+    return "\n".join([*lines, ""])
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-def test_prototypes_are_ksls(precision, compiler, tmp_path):
-    lines = [f"extern {declaration(prototype, name, precision).split(' = ')[0]};\n"
-             f"{declaration(prototype, name, precision)}"
-             for prototype, names in PROTOTYPES.items() for name in names.split()]
-    source = tmp_path / "prototypes.c"
-    source.write_text("\n".join(["#include <ksl/ksl.h>", *lines, ""]))
-    run((compiler, *C11, *STRICT, "-I", INCLUDE, "-c", source, "-o", tmp_path / "prototypes.o"))
+@compilers
+@pytest.mark.parametrize("header", HEADERS)
+def test_prototypes_are_ksls(header, compiler, tmp_path):
+    """Each header alone has what KSL's has."""
+    wanted = tuple(p for p in prototypes() if p.header == header)
+    path = tmp_path / "prototypes.c"
+    path.write_text(source(wanted, (header,)))
+    run((compiler, *C11, *STRICT, "-Wno-unused-function", "-I", INCLUDE, "-c", path,
+         "-o", tmp_path / "prototypes.o"))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_headers_go_in_any_order(seed, tmp_path):
+    order = random.Random(seed).sample(HEADERS, len(HEADERS))
+    compiler, language = DIALECTS[seed % len(DIALECTS)]
+    path = tmp_path / "ordered.c"
+    path.write_text("\n".join([*(f'#include "ksl/{header}"' for header in order),
+                               "int main(void) { return 0; }", ""]))
+    run((compiler, *language, *STRICT, "-I", INCLUDE, "-fsyntax-only", path))
+
+
+def test_another_prototype_is_noticed(tmp_path):
+    one = next(p for p in prototypes() if p.name == "ksl_product_ddr")
+    turned = Prototype(one.header, one.name, one.returned, one.passed[1::-1] + one.passed[2:])
+    path = tmp_path / "wrong.c"
+    path.write_text(source((turned,), ("ksl.h",)))
+    with pytest.raises(pytest.fail.Exception, match="incompatible"):
+        run((COMPILERS[0], *C11, *STRICT, "-I", INCLUDE, "-fsyntax-only", path))
+
+
+@compilers
+@pytest.mark.parametrize("language", [C11, CXX17], ids=["C", "C++"])
+@pytest.mark.parametrize("header", sorted(REFUSED))
+def test_headers_that_are_not_here_say_what_to_do(header, language, compiler, tmp_path):
+    path = tmp_path / "user.c"
+    path.write_text(f'#include "ksl/{header}.h"\n')
+    with pytest.raises(pytest.fail.Exception, match=f"ksl/{header}.h is not here: .*[a-z]"):
+        run((compiler, *language, "-I", INCLUDE, "-fsyntax-only", path))

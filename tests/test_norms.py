@@ -16,7 +16,8 @@ from coscrew_codegen.tiers.table import ACCURATE
 from tests.attack import plain_program
 from tests.c_harness import COMPILERS, EXACT, call, harness
 
-KINDS = {"vec3": (slice(0, 3), slice(0, 3)), "quaternion": (slice(0, 4), slice(0, 4)),
+KINDS = {"vec3": (slice(0, 3), slice(0, 3)), "vec4": (slice(0, 4), slice(0, 4)),
+         "quaternion": (slice(0, 4), slice(0, 4)),
          "screw": (slice(3, 6), slice(0, 3)), "coscrew": (slice(0, 3), slice(3, 6))}
 """The part whose norm it is; the other, taken where all its components are below the threshold."""
 NAMES = tuple(op.name for op in OPERATIONS
@@ -32,7 +33,7 @@ Evaluate = Callable[[Operation, Precision, np.ndarray], np.ndarray]
 def rows(kind: str, precision: Precision) -> np.ndarray:
     """Sizes over the whole range, components of one size or of very different ones."""
     rng, info = np.random.default_rng(len(kind)), np.finfo(precision.numpy_type)
-    n = KINDS[kind][1].stop if kind in ("vec3", "quaternion") else 6
+    n = KINDS[kind][1].stop if kind in ("vec3", "vec4", "quaternion") else 6
     least = info.minexp - info.nmant
     x = rng.uniform(0.5, 1, (ROWS, n)) * rng.choice((-1, 1), (ROWS, n))
     sizes = np.linspace(least + 1, info.maxexp, ROWS).round().astype(int)[:, None]

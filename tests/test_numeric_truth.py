@@ -250,7 +250,7 @@ def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[m
 def test_series_and_text_are_their_truth(operation, precision):
     """Of rotations and axes exact to the last digit.  With constants as they should be, what series
     leave out is below u / 2; rounded constants add less than a third of the stated bound."""
-    u, bounds = unit(precision), dict(operation.normwise)
+    u, bounds = unit(precision), {b.part: b.k for b in operation.normwise}
     runs = [(run_kernel, Rules(precision, exact=True), lambda part: u / 2),
             *((run, Rules(precision), lambda part: bounds[part] * u / 3) for run in RUNS.values())]
     for given in zip(*motions_of(operation, precision, 30), strict=True):

@@ -20,6 +20,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.exact import truth, ulp
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.native.timing import Timing
+from coscrew_codegen.operations.operation import Normwise
 from coscrew_codegen.report import errors, inputs, measure, native, ranking
 from coscrew_codegen.report.c_text import Variant, last_component
 from coscrew_codegen.report.drift import deviations, drifts, power
@@ -186,7 +187,7 @@ def test_quantiles_of_known_errors():
 def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str, ...]):
     """Of the part, or of the output, that the operation names."""
     plain = BY_NAME["cross_sc"]
-    operation = replace(plain, normwise=tuple((name, 3) for name in named))
+    operation = replace(plain, normwise=tuple(Normwise(name, 3) for name in named))
     rows = inputs.benign(operation, DOUBLE, 20, 4)
     units = truth(operation, DOUBLE, rows).unit
     size = 6 // len(named)

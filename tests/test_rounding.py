@@ -26,7 +26,7 @@ POLYNOMIAL = [op for op in OPERATIONS
 
 each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_norm = pytest.mark.parametrize("name, first", [
-    ("vec3_l2norm", LINEAR), ("quaternion_norm", slice(0, 4)),
+    ("vec3_l2norm", LINEAR), ("vec4_l2norm", slice(0, 4)), ("quaternion_norm", slice(0, 4)),
     *((name, first) for name, first, _ in SPATIAL_NORMS)])
 
 

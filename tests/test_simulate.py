@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plan import Plan, plan
 from coscrew_codegen.simulate.progress import line
@@ -274,3 +275,11 @@ def test_progress_is_shown_on_a_terminal(tmp_path):
     with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double") as (
             _, master):
         assert re.search(wanted, said_until(master, wanted))
+
+
+@pytest.mark.parametrize("asked, words", [
+    ({"step": 1e-300}, "steps of 1e-300 s; wanted at most 1e+12"),
+    ({"integrator": ""}, "integrator: ''; wanted one of")])
+def test_runs_that_would_never_end_or_mean_nothing_are_refused(kernels, asked, words):
+    with pytest.raises(SimulateError, match=re.escape(words)):
+        run(kernels["SPRING"], **asked)

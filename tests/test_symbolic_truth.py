@@ -21,9 +21,11 @@ from tests.c_reader import Header, Place, Value, functions_in, header, sign_flip
 from tests.test_numeric_truth import NUMERIC
 
 THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
-SHAPES = {"vec3": (3,), "mat3x3": (3, 3), "SE3": (3, 4), "screw": (6,), "coscrew": (6,),
-          "mat6x6": (6, 6), "quaternion": (4,), "inertia": (10,)}  # of the C types, row by row
-NAMES = {"vec3": ["x", "y", "z"], "quaternion": ["x", "y", "z", "w"],
+SHAPES = {"vec3": (3,), "vec4": (4,), "mat3x3": (3, 3), "mat4x4": (4, 4), "SE3": (3, 4),
+          "screw": (6,), "coscrew": (6,), "mat6x6": (6, 6), "quaternion": (4,),
+          "inertia": (10,)}  # of the C types, row by row
+NAMES = {"vec3": ["x", "y", "z"], "vec4": ["x", "y", "z", "w"],
+         "quaternion": ["x", "y", "z", "w"],
          "inertia": ["m", "hx", "hy", "hz", "xx", "yy", "zz", "xy", "xz", "yz"]}
 
 COMPARED = tuple(op for op in OPERATIONS if op not in NUMERIC)  # those in tests/test_numeric_truth
@@ -38,8 +40,11 @@ def truth(operation: Operation) -> tuple[sp.Expr, ...]:
 
 
 def c_name(name: str, precision: Precision) -> str:
-    """Single names put an f behind the type they start with (ksl_screwf_copy), else last."""
+    """Single names put an f behind the type they start with (ksl_screwf_copy), and behind one a
+    conversion names (ksl_mat4x4f_toSE3f), else last."""
     head, *tail = name.split("_", 1)
+    if tail and tail[0].removeprefix("from").removeprefix("to") in ("SE3", "Mat4x4"):
+        tail = [tail[0] + precision.suffix]
     return f"ksl_{'_'.join([head + precision.suffix, *tail])}" if head in SHAPES \
         else f"ksl_{name}{precision.suffix}"
 
@@ -155,14 +160,14 @@ def test_c_header_holds_its_family_and_no_more(family):
         stem = f"ksl_{family}{p.suffix}"
         wanted |= {f"{stem}_alloc"} if family in SHAPES else set()
         wanted |= {stem} if family in set(SHAPES) - {"mat6x6"} else set()
-        wanted |= {f"{stem}_cmo"} if family in ("mat3x3", "SE3") else set()
+        wanted |= {f"{stem}_cmo"} if family in ("mat3x3", "mat4x4", "SE3") else set()
         wanted |= {f"{stem}_identity"} if family == "SE3" else set()
         wanted |= {f"{stem}_get", f"{stem}_set"} if len(SHAPES.get(family, ())) == 2 else set()
     assert set(functions_in(family)) == wanted
 
 
 def test_every_family_has_a_header():
-    assert set(HEADERS) == set(FAMILIES)
+    assert set(HEADERS) == {*FAMILIES, "axis", "array"}
 
 
 def test_every_double_function_has_its_single_twin():

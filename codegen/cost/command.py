@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from coscrew_codegen.simulate.command import add_scene
+from coscrew_codegen.simulate.command import add_scene, scene_of
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
 
     if options.plot:
         check_target(options.plot, ENDINGS)
-    costs = measure.measure(load_scene(options.scene), Asked(
+    costs = measure.measure(load_scene(scene_of(options, "both")), Asked(
         options.until, options.step, options.integrator, "both", tuple(options.settings)),
         options.digits)
     print(table.table(costs))

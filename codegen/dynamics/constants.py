@@ -34,9 +34,11 @@ _EXACT = {"abs": abs, "min": min, "max": max, "number": lambda x: x}
 def constant(text: str) -> Fraction:
     """The number that a formula without t is: exactly if it is rational, else to 50 digits.
 
-    Raises FormulaError for what is no formula, for t, and for numbers that are not finite or
+    Raises FormulaError for what is no formula, for t, for a number alone, and for numbers that are not finite or
     neither 0 nor of a size from 1e-300 to 1e300."""
     formula = Formula(text)
+    if formula.is_number:
+        raise FormulaError(f"the text {text!r}; wanted the number, without quotes")
     if formula.timed:
         raise FormulaError(f"formula {text[:60]!r} depends on t; wanted a constant")
     if len(text) > LENGTH:

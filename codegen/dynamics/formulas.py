@@ -67,6 +67,11 @@ class Formula:
         """Whether t occurs; without it a formula is a constant."""
         return any(step.word == "t" for step in self._steps)
 
+    @property
+    def is_number(self) -> bool:
+        """Whether it is a number alone, perhaps with a sign: "2", "-1e-3"."""
+        return all(step.word in ("number", "negative") for step in self._steps)
+
     def value(self, t: object, functions: Mapping[str, object]) -> object:
         """The formula at the time t, on whatever numbers t and `functions` are of.
 

@@ -5,9 +5,11 @@ from collections.abc import Callable, Iterator, Sequence
 from coscrew_codegen.dynamics import (composite, coordinates, energies, floating, forward, frames,
                                       inverse, leapfrog)
 from coscrew_codegen.dynamics.acting import Acting
+from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.numbers import Number, row_by_row
+from coscrew_codegen.dynamics.ranges import refuse_numbers, refuse_products
 from coscrew_codegen.dynamics.record import Recorder, array, headings
 from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Scene
@@ -20,7 +22,11 @@ _BODY_FRAME = "in the frame of the body, at its origin"
 
 
 def derive(scene: Scene) -> SceneFunctions:
-    """All functions of a scene."""
+    """All functions of a scene.
+
+    Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
+    model whose mass matrix is singular whatever q is."""
+    refuse_numbers(scene)
     return _Derivation(scene).functions()
 
 
@@ -65,7 +71,7 @@ class _Derivation:
         return SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(self._all()), tuple(STEPS))
+            tuple(self._all()), tuple(STEPS), scene.precisions)
 
     def _all(self):
         yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
@@ -94,9 +100,17 @@ class _Derivation:
                  *(["p"] if dynamic and self.scene.parameters else []),
                  *(x for x in inputs.split() if x not in ("t", "h"))]
         recorder = Recorder([self.inputs[x] for x in given])
-        results = compute(Recording(self.scene, self.tree, self.names, recorder))
+        try:
+            results = compute(Recording(self.scene, self.tree, self.names, recorder))
+        except ZeroDivisionError:
+            where = recorder.heading or self.scene.model.name
+            raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
+                             f"in {name}, whatever q is: the mass matrix is singular; wanted "
+                             "masses or armatures that resist every joint") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
-        return Function(name, words, program, headings(program), internal)
+        function = Function(name, words, program, headings(program), internal)
+        refuse_products(self.scene, function)
+        return function
 
     def _tau(self) -> Argument:
         return self.inputs["tau"]

@@ -119,3 +119,4 @@ class Model:
     name: str
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
+    implausible: tuple[str, ...] = ()  # what no real body has and was let through, one a line

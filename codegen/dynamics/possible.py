@@ -1,15 +1,18 @@
 """Whether a model is physically possible: inertias of bodies, and masses for joints to move.
 
+A scene that says `implausible = "warn"` has impossible bodies let through, each named.
+
 All in exact fractions; parameters count with their values.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.model import Joint, Kind, Model, Scalar, value
 from coscrew_codegen.dynamics.rotations import rotated
-from coscrew_codegen.dynamics.tree import Link, tree_of
+from coscrew_codegen.dynamics.tree import Seat, tree_of
 
 SLACK = Fraction(1, 10**6)
 """By how much of xx + yy + zz the inequalities may fail: files round moments to six digits, and
@@ -22,8 +25,14 @@ programs write: -5.4e-20 kg m²."""
 _Six = tuple[Fraction, ...]
 
 
-def refuse_impossible(model: Model) -> None:
-    """Raise ModelError for the first body that cannot exist, if there is one.
+ERROR, WARN = "error", "warn"
+"""What a scene's `implausible` may be."""
+
+
+def judged(model: Model, implausible: str) -> Model:
+    """The model; if `implausible` is WARN, with a line on each body that cannot exist.
+
+    Raises ModelError for the first such body if it is ERROR, and for a negative mass always.
 
     Bodies that fixed joints make one are judged together, since only their sum moves: files give
     frames and sensors moments that are not even definite, and these disappear in it.  Point masses,
@@ -32,16 +41,26 @@ def refuse_impossible(model: Model) -> None:
         if body.inertia and value(body.inertia.mass) < 0:
             raise ModelError(f"body {body.name!r}",
                              f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
-    for link in tree_of(model, False).links:
-        heavy = [seat.body.name for seat in link.seats if seat.body.inertia]
+    faults = tuple(_faults(model))
+    if faults and implausible == ERROR:
+        raise ModelError(faults[0].element, f'{faults[0].problem}; implausible = "{WARN}" lets it '
+                                            "through")
+    return replace(model, implausible=(*model.implausible, *map(str, faults)))
+
+
+def _faults(model: Model) -> Iterator[ModelError]:
+    """What is wrong with each body that cannot exist, also with one that the world holds."""
+    tree = tree_of(model, False)
+    for seats in (tree.ground, *(link.seats for link in tree.links)):
+        heavy = [seat.body.name for seat in seats if seat.body.inertia]
         if not heavy:
             continue
-        mass, first, moments = _composite(link)
+        mass, first, moments = _composite(seats)
         problem = "its mass is zero, its moments are not" if not mass else _wrong(
             mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
-        if problem:
+        if problem and (mass or any(moments)):
             joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
-            raise ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
+            yield ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
 
 
 def _wrong(mass: Fraction, moments: _Six) -> str | None:
@@ -73,7 +92,7 @@ def unmoved_mass(model: Model, carried: Collection[str]) -> tuple[Joint, str] | 
             continue
         if number not in massive:
             return link.joint, "neither what it moves nor what moves on that has a mass"
-        if number not in inner and not _resists(link.joint, _composite(link)[2]):
+        if number not in inner and not _resists(link.joint, *_composite(link.seats)):
             return link.joint, "what it moves has no inertia against its motion"
     return None
 
@@ -82,10 +101,10 @@ def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
     return tuple(value(x) for x in numbers)
 
 
-def _composite(link: Link) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
-    """Mass, first moments and second moments of a link, about its origin."""
+def _composite(seats: Sequence[Seat]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
+    """Mass, first moments and second moments of bodies that are one, about their link's origin."""
     mass, first, moments = Fraction(0), (Fraction(0),) * 3, (Fraction(0),) * 6
-    for seat in link.seats:
+    for seat in seats:
         if inertia := seat.body.inertia:
             m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)
             at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(seat.placement.t[i]))
@@ -104,13 +123,22 @@ def _steiner(at: tuple[Fraction, ...]) -> _Six:
     return (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
 
 
-def _resists(joint: Joint, moments: _Six) -> bool:
+def _resists(joint: Joint, mass: Fraction, first: tuple[Fraction, ...], moments: _Six) -> bool:
+    """Whether a joint's motion is resisted by what it alone moves."""
     xx, yy, zz, xy, xz, yz = moments
     if joint.kind is Kind.REVOLUTE:
         a, b, c = joint.axis
         about = xx*a*a + yy*b*b + zz*c*c + 2 * (xy*a*b + xz*a*c + yz*b*c)
         return about > 0
-    return joint.kind is Kind.PRISMATIC or min(_minors(moments)) > 0
+    if joint.kind is Kind.SPHERICAL:
+        return _definite(moments)
+    if joint.kind is Kind.PRISMATIC or not mass:
+        return mass > 0
+    return _definite(tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
+
+
+def _definite(moments: _Six) -> bool:
+    return min(_minors(moments)) > 0
 
 
 def _minors(moments: _Six) -> tuple[Fraction, ...]:

@@ -45,6 +45,7 @@ class Recorder:
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
         self._component = "x"
         self._heading = ""
+        self.heading = ""  # of the part in which something was divided by zero
         self._taken: dict[str, int] = {}
 
     # what goes in
@@ -78,6 +79,9 @@ class Recorder:
         self._component, self._heading = component, heading or self._heading
         try:
             yield
+        except ZeroDivisionError:
+            self.heading = self.heading or self._heading
+            raise
         finally:
             self._component, self._heading = before
 

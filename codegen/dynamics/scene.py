@@ -60,7 +60,9 @@ class Scene:
     model: Model
     effects: tuple[Applied, ...] = ()
     parameters: tuple[Parameter, ...] = ()  # what stays an argument, in the order of `runtime`
-    precision: str = "double"  # double, single, both
+    precision: str = "double"  # of runs: double, single, both
+    precisions: tuple[str, ...] = ("double", "single")  # in which it is generated
+    implausible: str = "error"  # or warn: bodies that cannot exist are let through
     start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
     start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     record: tuple[str, ...] = ("q", "v")

@@ -2,14 +2,15 @@
 
 import sympy as sp
 
-from coscrew_codegen.algebra import I3, displacement, inverse, rotation, translation
+from coscrew_codegen.algebra import (I3, displacement, homogeneous, inverse, rotation,
+                                     translation)
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, SE3, VEC3, Argument
+from coscrew_codegen.quantity import MAT3X3, MAT4X4, SE3, VEC3, Argument
 
 FAMILY = "SE3"
 
 _D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
-_R, _t = Argument("R", MAT3X3), Argument("t", VEC3)
+_R, _t, _M = Argument("R", MAT3X3), Argument("t", VEC3), Argument("M", MAT4X4)
 
 
 def _op(name, statement, inputs, outputs, formula, by_value=False):
@@ -24,5 +25,6 @@ OPERATIONS = (
     _op("SE3_getTranslation", "t of D = [R | t]", (_D,), (_t,), translation),
     _op("SE3_getRotation", "R of D = [R | t]", (_D,), (_R,), rotation),
     _op("SE3_invert", "self = self^-1 = [R^T | -R^T t]", (_self,), (_self,), inverse),
+    _op("SE3_toMat4x4", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous),
     _op("SE3_inverted", "Do = D^-1 = [R^T | -R^T t]", (_D,), (_Do,), inverse),
 )

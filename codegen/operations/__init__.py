@@ -1,11 +1,11 @@
 """The table of operations, family by family.  Everything else iterates over it."""
 
-from coscrew_codegen.operations import (SE3, coscrew, exponential, inertia, mat3x3, mat6x6,
-                                        matrix, quaternion, screw, symmetric, trig, vec3)
+from coscrew_codegen.operations import (SE3, coscrew, exponential, inertia, mat3x3, mat4x4, mat6x6,
+                                        matrix, quaternion, screw, symmetric, trig, vec3, vec4)
 from coscrew_codegen.operations.operation import (NORM_THRESHOLD, PER_PRECISION, Operation,
                                                   components, scaled)
 
-_MODULES = (vec3, mat3x3, SE3, mat6x6, matrix, trig, screw, coscrew, quaternion, exponential,
+_MODULES = (vec3, vec4, mat3x3, SE3, mat4x4, mat6x6, matrix, trig, screw, coscrew, quaternion, exponential,
             symmetric, inertia)
 
 FAMILIES: tuple[str, ...] = tuple(module.FAMILY for module in _MODULES)

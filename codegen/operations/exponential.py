@@ -12,24 +12,28 @@ from coscrew_codegen.algebra import (I3, O3, ang, blocks, compose, displacement,
                                      rotation, skew, stack, translation)
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
-from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.operations.quaternion import ANGLE, UNIT_AXIS, axis_and_angle, axis_angle
+from coscrew_codegen.operations.operation import Normwise, Operation
+from coscrew_codegen.operations.quaternion import ANGLE, axis_and_angle, axis_angle
 from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
 from coscrew_codegen.operations.series import Angle
 from coscrew_codegen.operations.special import b, g, vector
-from coscrew_codegen.quantity import MAT3X3, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (FRACTION, HALF_TURN, MAT3X3, MAT6X6, ROTATION, SCALAR, SCREW,
+                                      SE3, TURN, UNIT, VEC3, Argument)
 
 FAMILY = "exponential"
 
-_v, _vo, _axis = (Argument(name, VEC3) for name in ("v", "vo", "axis"))
-_R, _Ro, _self = (Argument(name, MAT3X3) for name in ("R", "Ro", "self"))
-_D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
-_s, _so, _M = Argument("s", SCREW), Argument("so", SCREW), Argument("M", MAT6X6)
-_angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR)
+_v, _small_v, _vo = Argument("v", VEC3, TURN), Argument("v", VEC3, HALF_TURN), Argument("vo", VEC3)
+_axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
+_R, _Ro, _self = Argument("R", MAT3X3, ROTATION), Argument("Ro", MAT3X3), Argument("self", MAT3X3)
+_D, _D1, _D2 = (Argument(name, SE3, ROTATION) for name in ("D", "D1", "D2"))
+_s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
+_so = Argument("so", SCREW)
+_Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
+_angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR, FRACTION)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY):
+    return Operation(name, family, statement, inputs, outputs, formula, derivation,
                      normwise=normwise)
 
 
@@ -93,28 +97,30 @@ _NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3
 
 _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
-        _exp, _bound_exp, (("R", 5),)),
+        _exp, _bound_exp, (Normwise("R", 5, per_angle=200),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
         "as much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (("vo", 5),)),
+        lambda let, R: _log(let, R)[0], (Normwise("vo", 5),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
-          partial(_bound_jacobian, sign), (("R", 5),))
+          partial(_bound_jacobian, sign), (Normwise("R", 6, per_angle=200),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
-          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0", (_v,), (_R,),
-          partial(_jacobian_inverse, sign), partial(_bound_jacobian_inverse, sign), (("R", 5),))
+          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",
+          (_small_v,), (_R,), partial(_jacobian_inverse, sign),
+          partial(_bound_jacobian_inverse, sign), (Normwise("R", 5),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle",
-        f"R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; {UNIT_AXIS}",
+        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (("R", 8),)),
+        (Normwise("R", 8),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
-        (_angle, _axis), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)), (("angle", 8), ("axis", 5))),
+        (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
+        lambda let, R: axis_angle(let, quaternion_of(let, R)),
+        (Normwise("angle", 8), Normwise("axis", 5)), "mat3x3"),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
-    _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_R,), (_Ro,),
+    _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (Argument("R", MAT3X3),), (_Ro,),
         lambda R: _newton(unnamed, R), _newton),
 )
 
@@ -212,19 +218,20 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (("R", 5), ("t", 8))),
+        (Normwise("R", 5, per_angle=200), Normwise("t", 8, ("s.lin",), 200))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
-        _screw_of, _bound_screw_of, (("lin", 14), ("ang", 8))),
+        _screw_of, _bound_screw_of, (Normwise("lin", 14), Normwise("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
-          (_s,), (_M,), partial(_motion_jacobian, sign), partial(_bound_motion_jacobian, sign),
-          (("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
+          (_small_s,), (_M,), partial(_motion_jacobian, sign),
+          partial(_bound_motion_jacobian, sign),
+          (Normwise("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
-          "of 2π but 0", (_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (("M", 9),))
+          "of 2π but 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
+          partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 9),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (("R", 12), ("t", 20))),
+        (Normwise("R", 12), Normwise("t", 20, ("D1.t", "D2.t")))),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

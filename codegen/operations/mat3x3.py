@@ -2,20 +2,83 @@
 
 import sympy as sp
 
-from coscrew_codegen.algebra import skew
-from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, SCALAR, VEC3, Argument
+from coscrew_codegen.algebra import I3, skew
+from coscrew_codegen.operations import eigen, euler, special
+from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed,
+                                             safe_normalized)
+from coscrew_codegen.operations.operation import DEPENDENT, INDISTINCT, SPOILED, Operation
+from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, VEC3, Argument
 
 FAMILY = "mat3x3"
 
 _R, _self, _Ro = (Argument(name, MAT3X3) for name in ("R", "self", "Ro"))
-_v = Argument("v", VEC3)
+_v, _axis, _dc = Argument("v", VEC3), Argument("axis", VEC3), Argument("dc", DC)
 _x, _y, _z = (Argument(name, VEC3) for name in "xyz")
 _det = Argument("det", SCALAR)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order)
+def _op(name, statement, inputs, outputs, formula, derivation=None, order=(), rounding=""):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order,
+                     rounding=rounding)
+
+
+def _entries(function: type[sp.Function], R: sp.Matrix) -> sp.Matrix:
+    return sp.Matrix(3, 3, lambda i, j: function(i, j, *R))
+
+
+def _about(axis: sp.Matrix, dc: sp.Matrix) -> sp.Matrix:
+    return dc[1] * I3 + dc[0] * skew(axis) + (1 - dc[1]) * axis * axis.T
+
+
+def _bound_about(let: Let, axis: sp.Matrix, dc: sp.Matrix) -> sp.Matrix:
+    x, y, z = let("versine_axis", let("versine", 1 - dc[1]) * axis)
+    xx, yy, zz, xy, xz, yz = let("m", sp.Matrix([
+        x * axis[0], y * axis[1], z * axis[2], x * axis[1], x * axis[2], y * axis[2]]))
+    symmetric = sp.Matrix([[dc[1] + xx, xy, xz], [xy, dc[1] + yy, yz], [xz, yz, dc[1] + zz]])
+    return symmetric + skew(let("sine_axis", dc[0] * axis))
+
+
+def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+    """det R and adj R / det R.  What det R is off by is less than 4 u times the sum of its terms'
+    sizes; below twice that nothing tells it from zero."""
+    columns = [R[:, j] for j in range(3)]
+    cofactors = [let(f"n{j}", columns[(j + 1) % 3].cross(columns[(j + 2) % 3])) for j in range(3)]
+    det = let("d", columns[0].dot(cofactors[0]))
+    a, b, c = (let(f"size{j}", column.applyfunc(sp.Abs)) for j, column in enumerate(columns))
+    permanent = let("permanent", sum(a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3]
+                                             + b[(i + 2) % 3] * c[(i + 1) % 3]) for i in range(3)))
+    least = let("least", INDISTINCT * permanent + SPOILED)
+    regular = sp.Eq(let("regular", sp.Piecewise((1, least < sp.Abs(det)), (0, True))), 1)
+    divisor = let("divisor", sp.Piecewise((det, regular), (1, True)))
+    inverse = sp.Matrix.hstack(*cofactors).T / divisor
+    return sp.Piecewise((det, regular), (0, True)), inverse.applyfunc(
+        lambda x: sp.Piecewise((x, regular), (sp.nan, True)))
+
+
+def _orthonormal_rows(let: Let, R: sp.Matrix) -> sp.Matrix:
+    """Gram and Schmidt's, what is left of the second row taken twice, so that it is perpendicular
+    to rounding; the third row is that perpendicular to both on the side of R's."""
+    first, second = (let(name, safe_normalized(prefixed(let, name), R[i, :].T, R[i, :].T))
+                     for i, name in enumerate(("q0", "u1")))
+    once = let("once", second - let("along", first.dot(second)) * first)
+    twice = let("twice", once - let("rest", first.dot(once)) * first)
+    n = let("n", l2(twice))
+    other = let("q1", divided(twice, let("divisor", nonzero(n))))
+    normal = let("normal", first.cross(other))
+    u2 = let("u2", safe_normalized(prefixed(let, "u2"), R[2, :].T, R[2, :].T))
+    side = let("side", normal.dot(u2))
+    third = let("q2", normal.applyfunc(lambda x: sp.Piecewise((-x, side < 0), (x, True))))
+    size = let("size", sp.Abs(side))
+    less = let("less", sp.Piecewise((n, n < size), (size, True)))
+    dependent = sp.Eq(let("dependent", sp.Piecewise((1, less < DEPENDENT), (0, True))), 1)
+    rows = sp.Matrix.hstack(first, other, third).T
+    return rows.applyfunc(lambda x: sp.Piecewise((sp.nan, dependent), (x, True)))
+
+
+_GRAM_SCHMIDT = ("orthonormal rows by Gram and Schmidt: the first keeps its direction, the second "
+                 "its side of it, the third its side of both; NaN where rows depend on each other "
+                 "to rounding")
+_ROWS = "Rows are perpendicular, and of length 1, but for 4 u; searched, not proved."
 
 
 OPERATIONS = (
@@ -29,4 +92,17 @@ OPERATIONS = (
     _op("mat3x3_transposed", "Ro = R^T, the inverse of a rotation", (_R,), (_Ro,), lambda R: R.T),
     _op("mat3x3_determinant", "det R", (_R,), (_det,), lambda R: R.det(),
         lambda let, R: R[:, 0].dot(let("n", R[:, 1].cross(R[:, 2])))),
+    _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told "
+        "from 0 (|det R| <= 8 u times the sum of its terms' sizes), and Ro = NaN", (_R,),
+        (_det, _Ro), lambda R: (R.det(), _entries(special.inverse, R)), _inverse,
+        rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p "
+        "the sums of the sizes of the terms of the cofactor and of det R; barring over- and "
+        "underflow."),
+    _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_self,), (_self,),
+        lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
+    _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_R,), (_Ro,),
+        lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
+    _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, "
+        "dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about, ("R", "axis", "dc")),
+    *euler.OPERATIONS, *eigen.OPERATIONS,
 )

@@ -1,16 +1,16 @@
 """Norms and divisions by them, safe over the whole range of exponents.
 
-Numbers whose squares could over- or underflow are first multiplied by a power of two, which rounds
-nothing; so a norm overflows only where it is itself too large, and loses digits only where it is
-itself subnormal.
+Numbers are first multiplied by a power of two, which rounds nothing, such that squares neither
+over- nor underflow; so a norm overflows only where it is itself too large, and loses digits only
+where it is itself subnormal.
 """
 
 from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from coscrew_codegen.operations.operation import (ENLARGING, LARGE, NORM_THRESHOLD, REDUCING, SMALL,
-                                                  scaled)
+from coscrew_codegen.operations.operation import (ENLARGING, LARGE, MODEST, NORM_THRESHOLD,
+                                                  RAISING, REDUCING, TINY, scaled)
 
 Let = Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
 
@@ -47,19 +47,25 @@ def divided(x: sp.Matrix, n: sp.Expr) -> sp.Matrix:
 
 
 def power_of_two(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
-    """A power of two s such that the squares of s x, and their sum, neither over- nor underflow."""
+    """A power of two s such that s x is of the size that norms and quotients by them want."""
     largest, *sizes = let(f"{name}_size", sp.Matrix(x).applyfunc(sp.Abs))
     for number, size in enumerate(sizes, start=1):
         largest = let(f"{name}_largest{number}",
                       sp.Piecewise((size, largest < size), (largest, True)))
-    return let(name, sp.Piecewise((ENLARGING, largest < SMALL), (REDUCING, LARGE < largest),
-                                  (sp.Integer(1), True)))
+    return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST),
+                                  (REDUCING, LARGE < largest), (sp.Integer(1), True)))
 
 
 def inverse_power(let: Let, name: str, s: sp.Expr) -> sp.Expr:
     """1 / s of the power of two s."""
-    return let(name, sp.Piecewise((1 / ENLARGING, 1 < s), (1 / REDUCING, s < 1),
-                                  (sp.Integer(1), True)))
+    return let(name, sp.Piecewise((1 / RAISING, ENLARGING < s), (1 / ENLARGING, 1 < s),
+                                  (1 / REDUCING, s < 1), (sp.Integer(1), True)))
+
+
+def moderate(let: Let, name: str, x: sp.Matrix) -> sp.Matrix:
+    """x times a power of two, which changes no direction and no angle."""
+    s = power_of_two(let, name, tuple(x))
+    return let(f"scaled_{name}", x.applyfunc(lambda component: scaled(component, s)))
 
 
 def safe_norm(let: Let, x: sp.Matrix) -> sp.Expr:

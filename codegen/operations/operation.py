@@ -12,23 +12,39 @@ Value = sp.Matrix | sp.Expr
 # Below it every component counts as zero when a norm chooses between linear and angular part.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 
-# Between these, squares neither over- nor underflow; beyond them powers of two bring numbers back.
-SMALL, LARGE, ENLARGING, REDUCING = sp.symbols("small large enlarging reducing", positive=True)
+# Powers of two bring vectors' largest component between MODEST and LARGE: squares do not overflow,
+# and what is divided by the vector's length has all its digits wherever the quotient has.  Only
+# where all is below TINY times 2^-498 (single 2^-57) it stays smaller; then components are
+# multiples of one number that is not.
+TINY, MODEST, LARGE = sp.symbols("tiny modest large", positive=True)
+ENLARGING, RAISING, REDUCING = sp.symbols("enlarging raising reducing", positive=True)
 
-# x + GRID - GRID is x rounded so that squares of such numbers below 8, and their sums, are exact.
+# Of numbers s and x with |x| <= s, (x + GRID s) - GRID s is x rounded so that squares of such
+# numbers, and sums of three, are exact.
 GRID = sp.Symbol("grid", positive=True)
 
 # 1 - 50 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
 REGULAR = sp.Symbol("regular", positive=True)
 
+# 16 u: vectors of length 1 that leave less than this beside others depend on them to rounding.
+DEPENDENT = sp.Symbol("dependent", positive=True)
+
+# 8 u, and the least size of terms that no underflow has spoiled: what a determinant is held to.
+INDISTINCT, SPOILED = sp.symbols("indistinct spoiled", positive=True)
+
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
-    SMALL: (sp.Rational(1, 2**450), sp.Rational(1, 2**50)),
+    TINY: (sp.Rational(1, 2**494), sp.Rational(1, 2**46)),
+    MODEST: (sp.Integer(2**8), sp.Integer(2**8)),
     LARGE: (sp.Integer(2**511), sp.Integer(2**62)),
-    ENLARGING: (sp.Integer(2**600), sp.Integer(2**100)),
+    ENLARGING: (sp.Integer(2**502), sp.Integer(2**54)),
+    RAISING: (sp.Integer(2**1000), sp.Integer(2**108)),
     REDUCING: (sp.Rational(1, 2**513), sp.Rational(1, 2**65)),
     REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
-    GRID: (sp.Integer(3 * 2**29), sp.Integer(3 * 2**14)),
+    DEPENDENT: (sp.Rational(16, 2**53), sp.Rational(16, 2**24)),
+    INDISTINCT: (sp.Rational(8, 2**53), sp.Rational(8, 2**24)),
+    SPOILED: (sp.Rational(1, 2**960), sp.Rational(1, 2**96)),
+    GRID: (sp.Integer(2**28), sp.Integer(2**13)),
 }
 """The constants that differ between double and single precision."""
 
@@ -38,6 +54,28 @@ class scaled(sp.Function):
     result over- or underflows."""
 
     nargs = 2
+
+
+@dataclass(frozen=True)
+class Normwise:
+    """Each component of `part` of the result, or of the output of that name, is off by at most
+    (k + θ / `per_angle`) u of the largest of them, or of the inputs' parts `beside` them, where
+    that is larger; θ the angle of the input turned by.  Found by search, not proved."""
+
+    part: str
+    k: int
+    beside: tuple[str, ...] = ()  # "s.lin": argument and part
+    per_angle: int = 0  # 0: whatever the angle
+
+    def k_at(self, angle: float) -> float:
+        """k, with what the angle adds."""
+        return self.k + angle / self.per_angle if self.per_angle else self.k
+
+    @property
+    def in_words(self) -> str:
+        """'t: 8 u', '(5 + θ/500) u'."""
+        k = f"({self.k} + θ/{self.per_angle})" if self.per_angle else self.k
+        return f"{self.part}: {k} u"
 
 
 @dataclass(frozen=True)
@@ -63,9 +101,7 @@ class Operation:
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # what unfused arithmetic makes true besides
-    normwise: tuple[tuple[str, int], ...] = ()  # (part or output, k): the error of each component
-    # is at most k u of that part's largest component, in it or an input of its kind; found by
-    # search, not proved
+    normwise: tuple[Normwise, ...] = ()
     rounding: str = ""  # what else bounds the errors, in words
 
     @property
@@ -76,10 +112,16 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words, or what else there is; empty where there is nothing."""
-        parts = ", ".join(f"{name}: {k} u" for name, k in self.normwise)
-        return f"Error <= {parts} of its largest component; searched, not proved." if parts else \
-            self.rounding
+        """`normwise` in words, with what inputs it is for, or what else there is; empty where there
+        is nothing."""
+        if not self.normwise:
+            return self.rounding
+        parts = ", ".join(bound.in_words for bound in self.normwise)
+        beside = [name for bound in self.normwise for name in bound.beside]
+        also = f", or of {' or '.join(beside)} if that is larger" if beside else ""
+        where = [a.domain_in_words for a in self.inputs if a.domain_in_words]
+        given = f" for {' and '.join(where)}" if where else ""
+        return f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
 
     def truth(self) -> tuple[sp.Expr, ...]:
         """`formula` on the inputs' symbols: every component of every output, row by row."""

@@ -8,23 +8,28 @@ import sympy as sp
 
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, nonzero, power_of_two,
-                                             prefixed, safe_norm, safe_normalized, unnamed)
-from coscrew_codegen.operations.operation import Operation, scaled
+from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, moderate, nonzero,
+                                             power_of_two, prefixed, safe_norm, safe_normalized,
+                                             unnamed)
+from coscrew_codegen.operations.operation import Normwise, Operation, scaled
 from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion, quaternion_of,
                                                  quaternion_product, rotation_vector, scalar_part,
                                                  upper, vector_part, versor)
 from coscrew_codegen.operations.special import vector
-from coscrew_codegen.quantity import MAT3X3, QUATERNION, SCALAR, VEC3, Argument
+from coscrew_codegen.quantity import (FRACTION, MAT3X3, ORDINARY, QUATERNION, ROTATION, SCALAR,
+                                      TURN, UNIT, VEC3, Argument)
 
 FAMILY = "quaternion"
 
 _q, _q1, _q2, _qo, _self = (Argument(name, QUATERNION) for name in ("q", "q1", "q2", "qo", "self"))
-_v, _vo, _axis = (Argument(name, VEC3) for name in ("v", "vo", "axis"))
-_angle, _norm, _k = (Argument(name, SCALAR) for name in ("angle", "norm", "k"))
-_R = Argument("R", MAT3X3)
+_unit1, _unit2 = Argument("q1", QUATERNION, UNIT), Argument("q2", QUATERNION, UNIT)
+_v, _vo, _turn = Argument("v", VEC3), Argument("vo", VEC3), Argument("v", VEC3, TURN)
+_axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
+_angle, _norm = Argument("angle", SCALAR), Argument("norm", SCALAR)
+_k = Argument("k", SCALAR, FRACTION)
+_R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
+_ordinary = Argument("q", QUATERNION, ORDINARY)
 
-UNIT_AXIS = "axis of length 1"
 ANGLE = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
 
 
@@ -122,7 +127,7 @@ def _exp(v: sp.Matrix) -> sp.Matrix:
 
 
 def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
-    return rotation_vector(let, upper(let, q))[0]
+    return rotation_vector(let, upper(let, moderate(let, "s", q)))[0]
 
 
 def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
@@ -134,28 +139,29 @@ def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
 
 _CONVERSIONS = (
     _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square "
-        "neither over- nor underflows", (_q,), (_R,), lambda q: _matrix_of(unnamed, q), _matrix_of,
-        (("R", 5),)),
+        "neither over- nor underflows", (_ordinary,), (_R_out,),
+        lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 5),)),
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
         "rotation, off by as much as R", (_R,), (_qo,),
-        lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (("qo", 5),)),
-    _op("quaternion_from_axis_angle", f"qo = (axis sin angle/2; cos angle/2); {UNIT_AXIS}",
+        lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (Normwise("qo", 5),)),
+    _op("quaternion_from_axis_angle", "qo = (axis sin angle/2; cos angle/2); axis of length 1",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
-        _of_axis_angle, (("qo", 3),)),
+        _of_axis_angle, (Normwise("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
-        "multiple of a quaternion", (_q,), (_angle, _axis),
-        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)), axis_angle,
-        (("angle", 5), ("axis", 4))),
+        "multiple of a quaternion", (_q,), (_angle, _axis_out),
+        lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)),
+        lambda let, q: axis_angle(let, moderate(let, "s", q)),
+        (Normwise("angle", 5), Normwise("axis", 4))),
     _op("quaternion_exp", "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the "
-        "rotation vector v", (_v,), (_qo,), _exp,
-        lambda let, v: versor(let, let("h", v / 2)), (("qo", 7),)),
+        "rotation vector v", (_turn,), (_qo,), _exp,
+        lambda let, v: versor(let, let("h", v / 2)), (Normwise("qo", 7, per_angle=200),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
         "of any multiple of it", (_q,), (_vo,), 
-        lambda q: vector(special.quaternion_log, 3, *q), _log, (("vo", 5),)),
+        lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 5),)),
     _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
-        "|q1| = |q2| = 1", (_q1, _q2, _k), (_qo,), 
+        "|q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (("qo", 12),)),
+        _slerp, (Normwise("qo", 12),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")

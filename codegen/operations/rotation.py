@@ -91,11 +91,8 @@ def rotation_vector(let: Let, q: sp.Matrix) -> tuple[sp.Matrix, Angle]:
 
 def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
     """exp (h; 0) = (h sin |h| / |h|; cos |h|)."""
-    x = let("x", h.dot(h))
-    size = let("size", sp.sqrt(x))
-    cosine, sine = (let(name, far(x, function(size), sp.Integer(1)))
-                    for name, function in (("cosine", sp.cos), ("sine", sp.sin)))
-    far_k = let("far_k", sine / let("divisor", far(x, size, sp.Integer(2))))
+    angle = Angle.of(let, h)
+    x, far_k = angle.square, let("far_k", angle.sine / angle.angle)
     k = let("k", far(x, far_k, taylor(1, x)))
     near = let("near", 1 - x * let("g2", taylor(2, x)))
-    return quaternion(k * h, far(x, cosine, near))
+    return quaternion(k * h, far(x, angle.cosine, near))

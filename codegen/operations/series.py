@@ -18,6 +18,7 @@ from coscrew_codegen.operations.operation import GRID
 _NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, of which closed forms lose no digit
 _MIDDLE = sp.Integer(4)  # θ² where the others end
 _LATE = sp.Integer(9)  # θ² where those of 2 g'(2), 2 g'(3) end, whose closed forms cancel most
+_CORRECTED = sp.Rational(1, 2**7)  # of an angle's error, that it be corrected to first order
 _TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
 
 
@@ -36,17 +37,21 @@ class Angle:
     def of(cls, let: Let, vector: sp.Matrix) -> "Angle":
         """The angle of a rotation vector.  θ² is rounded about once: the squares of the components'
         leading digits add up exactly.  θ = sqrt(θ²) is off by half an ulp, as much as 2 u of sin θ
-        near π; the residual |v|² - θ² makes up for it."""
-        shifted = let("shifted", vector.applyfunc(lambda x: x + GRID))
-        high = let("high", shifted.applyfunc(lambda x: x - GRID))
+        near π; the residual |v|² - θ² makes up for it, while θ u < 2^-7.  A larger angle is off by
+        2 u of itself."""
+        sizes = let("size", vector.applyfunc(sp.Abs))
+        grid = let("grid", GRID * let("sizes", sizes[0] + sizes[1] + sizes[2]))
+        shifted = let("shifted", vector.applyfunc(lambda x: x + grid))
+        high = let("high", shifted.applyfunc(lambda x: x - grid))
         low, sum_ = let("low", vector - high), let("sum", vector + high)
         squares, cross = let("squares", high.dot(high)), let("cross", low.dot(sum_))
         x = let("x", squares + cross)
         theta = let("theta", far(x, sp.sqrt(x), sp.Integer(1)))
-        top = let("theta_high", let("theta_shifted", theta + GRID) - GRID)
+        top = let("theta_high", let("theta_shifted", theta + grid) - grid)
         bottom = let("theta_low", theta - top)
         rest = let("cross_rest", cross - bottom * let("theta_sum", theta + top))
-        delta = let("delta", let("residual", let("exact", squares - top**2) + rest) / (2 * theta))
+        small = let("small", let("residual", let("exact", squares - top**2) + rest) / (2 * theta))
+        delta = let("delta", sp.Piecewise((small, sp.Abs(small) < _CORRECTED), (0, True)))
         sine = let("far_sine", far(x, sp.sin(theta), sp.Integer(1)))
         cosine = let("far_cosine", far(x, sp.cos(theta), sp.Integer(0)))
         corrected = let("sine", sine + delta * cosine), let("cosine", cosine - delta * sine)

@@ -42,6 +42,18 @@ class solution(sp.Function):
     """solution(i, b0, b1, …, a00, a10, a11, …): component i of A^-1 b."""
 
 
+class inverse(sp.Function):
+    """inverse(i, j, R00, R01, …): entry of R^-1."""
+
+
+class orthonormal_rows(sp.Function):
+    """orthonormal_rows(i, j, R00, R01, …): entry of Gram and Schmidt's rows of R, in order."""
+
+
+class jacobi(sp.Function):
+    """jacobi(k, i, j, A…, V…): entry of A, or of V (k = 0, 1), after one cycle of rotations."""
+
+
 def vector(function: type[sp.Function], size: int, *arguments: sp.Expr) -> sp.Matrix:
     """The components 0, 1, … of a function."""
     return sp.Matrix([function(i, *arguments) for i in range(size)])

@@ -4,9 +4,9 @@ import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (divided, l2, nonzero, power_of_two, safe_norm,
+from coscrew_codegen.operations.norm import (divided, l2, moderate, nonzero, safe_norm,
                                              safe_normalized)
-from coscrew_codegen.operations.operation import Operation, scaled
+from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import SCALAR, VEC3, Argument
 
 FAMILY = "vec3"
@@ -22,9 +22,7 @@ def _normalized(let, v):
 
 def _angle_between(let, a, b):
     """Of both vectors times powers of two, which changes no angle."""
-    a, b = (let(f"scaled_{n}", x.applyfunc(lambda component, s=power_of_two(let, n, tuple(x)):
-                                            scaled(component, s)))
-            for n, x in (("s1", a), ("s2", b)))
+    a, b = moderate(let, "s1", a), moderate(let, "s2", b)
     return sp.atan2(let("cross", safe_norm(let, let("c", a.cross(b)))), let("dot_", a.dot(b)))
 
 

@@ -28,7 +28,7 @@ def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[s
             table.refuse(key, f"{described(value)}; wanted a list of 3 numbers or functions of t")
         return tuple(_formula(table, parameter, item) for item in value)
     if kind == "choice":
-        return table.choice(key, parameter.choices)
+        return table.as_choice(key, value, parameter.choices)
     if kind == "body":
         return table.known(key, table.as_text(key, value), "body", (WORLD, *bodies))
     number = _number(table, parameter, value)
@@ -41,7 +41,8 @@ def _number(table: Table, parameter: ParameterOf, value: object) -> Fraction:
         try:
             return constant(value)
         except FormulaError:
-            table.refuse(parameter.name, f'the text {shown(value)}; wanted a number, or "model"')
+            table.refuse(parameter.name, f"the text {shown(value)}; wanted a number without "
+                                         'quotes, a constant formula, or "model"')
     return table.as_number(parameter.name, value)
 
 
@@ -77,6 +78,8 @@ def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | 
         formula = Formula(value)
     except FormulaError as error:
         table.refuse(parameter.name, str(error))
+    if formula.is_number:
+        table.refuse(parameter.name, f"the text {shown(value)}; wanted the number, without quotes")
     if math.isnan(formula.at(0.0)):
         table.refuse(parameter.name, f"formula {shown(value)} is not finite at t = 0")
     return formula

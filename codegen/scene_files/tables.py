@@ -74,7 +74,11 @@ class Table:
 
     def choice(self, key: str, choices: tuple[str, ...], default: str | None = None) -> str:
         """The text under a key, one of these."""
-        text = self.text(key, default)
+        return self.as_choice(key, self.text(key, default), choices)
+
+    def as_choice(self, key: str, value: object, choices: tuple[str, ...]) -> str:
+        """A value as one of these texts."""
+        text = self.as_text(key, value)
         if text not in choices:
             self.refuse(key, f"{shown(text)}; wanted one of {', '.join(choices)}"
                              f"{or_mean(text, choices)}")
@@ -139,7 +143,7 @@ class Table:
         return texts
 
     def as_number(self, key: str, value: object) -> Fraction:
-        """A value as an exact number; texts are formulas without t, such as "pi/2"."""
+        """A value as an exact number; texts are formulas without t, such as "pi/2", not "2"."""
         try:
             if isinstance(value, Decimals):
                 return decimal(value.replace("_", ""))

@@ -2,6 +2,7 @@
 
 An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
 or by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
+A table under the name of a joint or body is that one's, also where a parameter has this name.
 """
 
 from collections.abc import Iterator, Mapping
@@ -45,7 +46,7 @@ def _on_several(reading: EffectTable) -> list[Applied]:
     """[effects.viscous] joints = …, d = …, and [effects.viscous.elbow] d = …"""
     table = reading.table
     plain = {key: value for key, value in table.values.items()
-             if key in (*reading.parameters, reading.several)}
+             if key in (*reading.parameters, reading.several) and not _is_place(reading, key)}
     for key, value in table.values.items():
         if key not in plain and not isinstance(value, dict):
             _refuse_unknown(reading, key)
@@ -60,6 +61,24 @@ def _on_several(reading: EffectTable) -> list[Applied]:
             table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
                                  f"{one.on!r}; wanted it once")
     return found
+
+
+def _is_place(reading: EffectTable, key: str) -> bool:
+    """Whether a key, of a parameter's name, is a joint's or body's: it is where its value is a
+    table.  Raises SceneError where that could as well hold the parameter of each joint or body."""
+    given = reading.table.values[key]
+    if not isinstance(given, dict):
+        return False
+    if key in reading.targets:
+        if given and key in reading.parameters and all(name in reading.targets for name in given):
+            place = f"[{reading.table.where}.{reading.what.upper()}]"
+            reading.table.refuse(key, f"{key!r} is a {reading.what} and a parameter, and this "
+                                      f'table could be of either; wanted {reading.several} = '
+                                      f'["{key}"] with numbers, or tables {place} of the others')
+        return True
+    if reading.what == "body" and "body" in given and "body" not in reading.targets:
+        reading.table.refuse(key, f"{key!r} is a parameter; wanted another label")
+    return False
 
 
 def _refuse_unknown(reading: EffectTable, key: str) -> None:

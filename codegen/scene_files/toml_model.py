@@ -1,5 +1,6 @@
 """A model that a scene file holds itself: tables [bodies.NAME] and [joints.NAME]."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.dynamics import rotations
@@ -16,7 +17,8 @@ from coscrew_codegen.dynamics.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.dynamics.possible import refuse_impossible
+from coscrew_codegen.dynamics.possible import WARN, judged
+from coscrew_codegen.dynamics.residues import without_residues
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.tables import Table, described
 
@@ -30,19 +32,22 @@ _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
 
 
-def read_model(file: Table, name: str, base: Kind) -> Model:
-    """The model in the tables `bodies` and `joints`.  Raises SceneError."""
-    bodies = tuple(_body(name, table) for name, table in file.tables("bodies"))
+def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
+    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", inertias that are
+    impossible or massless are let through, and the model tells them.  Raises SceneError."""
+    massless: list[str] = []
+    bodies = tuple(_body(name, table, massless if implausible == WARN else None)
+                   for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
     try:
-        model = without_chains(assembled(name, bodies, joints, base))
-        refuse_impossible(model)
+        model = without_residues(without_chains(assembled(name, bodies, joints, base)))
+        return judged(replace(model, implausible=tuple(massless)), implausible)
     except ModelError as error:
         raise SceneError(file.file, error.element, error.problem) from None
-    return model
 
 
-def _body(name: str, table: Table) -> Body:
+def _body(name: str, table: Table, massless: list[str] | None) -> Body:
+    """The body; without `massless`, which gets a line on each, masses of zero are refused."""
     table.only("mass", "com", "inertia")
     if name == WORLD:
         table.refuse("", "this name is the world's; wanted another one")
@@ -50,8 +55,15 @@ def _body(name: str, table: Table) -> Body:
         if table.values:
             table.missing("mass", "the mass in kg")
         return Body(name)
-    mass = table.positive("mass", Fraction(0))
-    return Body(name, Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table)))
+    if massless is None:
+        mass = table.positive("mass", Fraction(0))
+    else:
+        mass = table.nonnegative("mass")
+    inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table))
+    if mass or any(inertia.moments):
+        return Body(name, inertia)
+    massless.append(f"body {name!r}: its mass is zero, and so are its moments")
+    return Body(name)
 
 
 def _moments(table: Table) -> tuple[Fraction, ...]:

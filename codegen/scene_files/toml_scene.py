@@ -1,13 +1,13 @@
 """Scene files: what a TOML file, or a URDF file alone, says as a Scene."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
-from coscrew_codegen.dynamics.possible import unmoved_mass
+from coscrew_codegen.dynamics.possible import ERROR, WARN, unmoved_mass
 from coscrew_codegen.dynamics.quantities import (
     QuantityError,
     carried,
@@ -31,11 +31,20 @@ from coscrew_codegen.scene_files.urdf import read_urdf
 PRECISIONS = ("double", "single", "both")
 BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
 
-_KEYS = ("model", "base", "name", "precision", "runtime", "effects", "start", "outputs", "run",
-         "expect", "bodies", "joints")
+_KEYS = ("model", "base", "name", "precision", "implausible", "runtime", "effects", "start",
+         "outputs", "run", "expect", "bodies", "joints")
 
 
-def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None) -> Scene:
+@dataclass(frozen=True)
+class Said:
+    """What is said beside a scene's file, and stands in for what the file says; None: nothing."""
+
+    precision: str | None = None  # double, single, both
+    implausible: str | None = None  # error, warn
+
+
+def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
+               said: Said = Said()) -> Scene:
     """The scene in a TOML file; or of a URDF file alone, a scene without effects, gravity included.
 
     `catalogue` are the effects there are (None: all).  Raises SceneError, naming file and key, for
@@ -44,12 +53,15 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None) ->
     effects = _all_effects() if catalogue is None else catalogue
     suffix = path.suffix.lower()
     if suffix == ".urdf":
-        model = read_urdf(path)
+        implausible = said.implausible or ERROR
+        model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        return Scene(identifier(path.stem), model, unused=unused(model, set(), effects))
+        return Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+                     implausible=implausible, precision=said.precision or "double",
+                     precisions=_emitted(said.precision))
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
-    return _scene(read_toml(path), effects)
+    return _scene(read_toml(path), effects, said)
 
 
 def _all_effects() -> tuple[Effect, ...]:
@@ -57,13 +69,28 @@ def _all_effects() -> tuple[Effect, ...]:
     return EFFECTS
 
 
-def _scene(file: Table, catalogue: tuple[Effect, ...]) -> Scene:
+def _emitted(precision: str | None) -> tuple[str, ...]:
+    """The precisions a scene is generated in: where "double" is asked for, that alone, since single
+    may not hold the scene's numbers."""
+    return ("double",) if precision == "double" else ("double", "single")
+
+
+def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -> str | None:
+    """The word said beside the file, or else in it."""
+    written = file.choice(key, choices) if key in file else None
+    return beside or written
+
+
+def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
     file.only(*_KEYS)
     name = _name(file)
-    model = _model(file, name)
+    implausible = _said(said.implausible, file, "implausible", (ERROR, WARN)) or ERROR
+    precision = _said(said.precision, file, "precision", PRECISIONS)
+    model = _model(file, name, implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
-    scene = Scene(name, model, effects, precision=file.choice("precision", PRECISIONS, "double"),
+    scene = Scene(name, model, effects, precision=precision or "double",
+                  precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")), unused=unused(model, use.of_model, catalogue))
     _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
@@ -88,14 +115,14 @@ def _name(file: Table) -> str:
     return name
 
 
-def _model(file: Table, name: str) -> Model:
+def _model(file: Table, name: str, implausible: str) -> Model:
     """The model of the URDF file that `model` names, or of this file's own tables."""
     base = BASES[file.choice("base", tuple(BASES), "fixed")]
     own = [key for key in ("bodies", "joints") if key in file]
     if "model" not in file:
         if not own:
             file.missing("model", "a URDF file, or tables [bodies.NAME] and [joints.NAME]")
-        return read_model(file, name, base)
+        return read_model(file, name, base, implausible)
     if own:
         file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
     named = Path(file.text("model"))
@@ -105,7 +132,7 @@ def _model(file: Table, name: str) -> Model:
     if not path.is_file():
         file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
                              "folder of the scene")
-    return read_urdf(path, base)
+    return read_urdf(path, base, implausible)
 
 
 def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
@@ -116,7 +143,8 @@ def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
     if found:
         joint, reason = found
         raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",
-                         f"{reason}; wanted a mass in body {joint.child!r}, or the joint fixed")
+                         f"{reason}, so that the mass matrix is singular; wanted a mass in body "
+                         f"{joint.child!r}, an armature at the joint, or the joint fixed")
 
 
 def _moving(table: Table, key: str, scene: Scene) -> Joint:

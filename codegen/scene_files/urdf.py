@@ -5,6 +5,7 @@ read.  Lengths in m, masses in kg, angles in rad.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from difflib import get_close_matches
 from fractions import Fraction
 from pathlib import Path
@@ -24,7 +25,8 @@ from coscrew_codegen.dynamics.model import (
     Placement,
 )
 from coscrew_codegen.dynamics.names import or_mean
-from coscrew_codegen.dynamics.possible import refuse_impossible
+from coscrew_codegen.dynamics.possible import ERROR, WARN, judged
+from coscrew_codegen.dynamics.residues import without_residues
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import Element, read_xml
@@ -41,19 +43,21 @@ _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _T = TypeVar("_T")
 
 
-def read_urdf(path: Path | str, base: Kind = Kind.FIXED) -> Model:
+def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERROR) -> Model:
     """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
 
-    Raises SceneError, naming file, line and element, for files that are no URDF, numbers that are
+    With `implausible` "warn", inertias that are impossible, massless or incomplete are let through,
+    and the model's `implausible` tells them.  Raises SceneError, naming file, line and element, for files that are no URDF, numbers that are
     not finite, impossible inertias, unknown names and joints that make no tree."""
-    return _Urdf(Path(path)).model(base)
+    return _Urdf(Path(path), implausible).model(base)
 
 
 class _Urdf:
     """One file while it is read."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, path: Path, implausible: str) -> None:
+        self.path, self.implausible = path, implausible
+        self.lacking: list[str] = []  # inertias that say too little, and were let through
         self.root = read_xml(path, _IGNORED)
 
     def model(self, base: Kind) -> Model:
@@ -66,13 +70,12 @@ class _Urdf:
         lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
         lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
         try:
-            model = without_chains(assembled(
+            model = without_residues(without_chains(assembled(
                 self.root.attributes.get("name", self.path.stem), tuple(map(self._body, links)),
-                tuple(map(self._joint, joints)), base))
-            refuse_impossible(model)
+                tuple(map(self._joint, joints)), base)))
+            return judged(replace(model, implausible=tuple(self.lacking)), self.implausible)
         except ModelError as error:
             self._refuse(lines.get(error.element, self.root), error.element, error.problem)
-        return model
 
     def _body(self, link: Element) -> Body:
         name = self._name(link)
@@ -85,16 +88,31 @@ class _Urdf:
         """The inertia; None where mass and moments are zero, as in links that are frames only."""
         self._refuse_misspelt(inertial, body)
         placement = self._placement(inertial, body)
-        mass_element = self._required(inertial, "mass", body)
-        mass = self._number(mass_element, "value", body)
+        mass = self._mass(inertial, body)
         moments = self._moments(inertial, body)
         if not mass and not any(moments):
             return None
         return Inertia(mass, placement.t, rotations.rotated(placement.R, moments))
 
     def _moments(self, inertial: Element, body: str) -> tuple[Fraction, ...]:
-        element = self._required(inertial, "inertia", body)
+        element = self._of_inertial(inertial, "inertia", body, "its moments are taken for zero")
+        if element is None:
+            return (Fraction(0),) * 6
         return tuple(self._number(element, name, body) for name in _MOMENTS)
+
+    def _mass(self, inertial: Element, body: str) -> Fraction:
+        element = self._of_inertial(inertial, "mass", body, "it is taken for zero")
+        return Fraction(0) if element is None else self._number(element, "value", body)
+
+    def _of_inertial(self, inertial: Element, tag: str, body: str, taken: str) -> Element | None:
+        """The element with this tag; None where it is absent and may be."""
+        found = self._only(inertial, tag, body)
+        if found is None and self.implausible == ERROR:
+            self._refuse(inertial, body, f'<inertial> lacks <{tag}>; implausible = "{WARN}" lets '
+                                         "it through")
+        if found is None:
+            self.lacking.append(f"{body}: <inertial> lacks <{tag}>; {taken}")
+        return found
 
     def _joint(self, joint: Element) -> Joint:
         name = self._name(joint)

@@ -71,6 +71,9 @@ class Functions(Generic[Real]):
         return iter(dir(self))
 
     def __getattr__(self, name: str) -> Function[Real]:
+        if not dir(self):
+            raise AttributeError(f"{self._about} is not there: the scene is of double precision "
+                                 "alone, as it says", name=name, obj=self)
         near = get_close_matches(name, dir(self), n=1, cutoff=0.0)
         hint = f": did you mean {near[0]!r}?" if near else ""
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)

@@ -2,7 +2,7 @@
 
 import argparse
 
-from coscrew_codegen.simulate.command import add_scene
+from coscrew_codegen.simulate.command import add_scene, scene_of
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -27,7 +27,7 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.simulate.load import load_scene
     from coscrew_codegen.simulate import check, outcome
 
-    findings = check.check(load_scene(options.scene), outcome.Asked(
+    findings = check.check(load_scene(scene_of(options, options.precision)), outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
     print(check.table(findings))

@@ -46,8 +46,26 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
                         help=in_words())
     parser.add_argument("--precision", choices=("double", "single", "both"),
                         help="precision of the dynamics")
+    add_implausible(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
                         dest="settings", help="a value of a `runtime` parameter; may be repeated")
+
+
+def add_implausible(parser: argparse.ArgumentParser) -> None:
+    """Add what to do about bodies that cannot exist."""
+    parser.add_argument("--implausible", choices=("error", "warn"),
+                        help="what to do about inertias that are impossible, massless or "
+                             "incomplete: refuse the scene (error) or tell of them (warn)")
+
+
+def scene_of(options: argparse.Namespace, precision: str | None) -> "Scene":
+    """The scene of the options; what is let through in it goes to standard error."""
+    from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+
+    scene = read_scene(options.scene, said=Said(precision, options.implausible))
+    for line in scene.model.implausible:
+        print(f"coscrew: warning: {line}", file=sys.stderr)
+    return scene
 
 
 def _positive(text: str) -> float:
@@ -82,7 +100,7 @@ def run(options: argparse.Namespace) -> int:
                           (options.view, (".html",))):
         if path:
             write.check_target(path, endings)
-    kernels = load_scene(options.scene)
+    kernels = load_scene(scene_of(options, options.precision))
     for line in _notes(kernels.scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(

@@ -25,7 +25,7 @@ from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import PRECISIONS, Precision, named
 
 
 @dataclass(frozen=True, repr=False)
@@ -106,11 +106,15 @@ def load_scene(scene: Scene | Path | str) -> Kernels:
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
     $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
-    generated Python runs.  Raises TypeError for what is neither, and what reading the scene raises.
+    generated Python runs.  A scene file that says `precision = "double"` has no `single`; what
+    `implausible = "warn"` lets through is warned of.  Raises TypeError for what is neither,
+    RangeError for numbers that a precision cannot hold, and what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import read_scene
         scene = read_scene(Path(scene))
+        for line in scene.model.implausible:
+            warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
@@ -134,7 +138,8 @@ def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels
 def _kernels(scene: Scene | None, functions: SceneFunctions, compiler: str,
              made: Callable[[scene_calls.Callable, Precision], Callable]) -> Kernels:
     described = scene_calls.callables(functions)
-    found = [calls.gathered(functions, p, {x.name: made(x, p) for x in described})
+    found = [calls.gathered(functions, p, {x.name: made(x, p) for x in described
+                                               if p.name in functions.precisions})
              for p in PRECISIONS]
     kernels = Kernels(scene, functions, *found, compiler)
     for x in found:
@@ -153,7 +158,8 @@ def _library(functions: SceneFunctions, compiler: native.Compiler):
     source = f"{functions.name}_calls.c"
     files = {**c_files(functions, banner_of(functions.name)), source: scene_calls.source(functions)}
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                for other in PRECISIONS if other != p)) for p in PRECISIONS}
+                                for other in PRECISIONS if other != p))
+             for p in named(functions.precisions)}
     return native.library(units, files, compiler)
 
 
@@ -171,4 +177,5 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)
-    return {p.name: importlib.import_module(f"{name}.{p.name}") for p in PRECISIONS}
+    return {p.name: importlib.import_module(f"{name}.{p.name}")
+            for p in named(functions.precisions)}

@@ -8,7 +8,7 @@ from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.effect import ParameterOf
 from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
 from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.possible import refuse_impossible, unmoved_mass
+from coscrew_codegen.dynamics.possible import judged, unmoved_mass
 from coscrew_codegen.dynamics.quantities import carried
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.scene_files.decimals import bounded
@@ -76,7 +76,7 @@ def _refuse_model(scene: Scene, settings: Mapping[str, float]) -> None:
     model: Model = swapped_model(scene.model, swap)
     given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
     try:
-        refuse_impossible(model)
+        judged(model, scene.implausible)
     except ModelError as error:
         raise SimulateError(f"{given}: {error}") from None
     if found := unmoved_mass(model, carried(replace(scene, model=model))):

@@ -13,10 +13,14 @@ from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
 from coscrew_codegen.targets.precision import DOUBLE, Precision
 
-STRUCTS = ("vec3", "mat3x3", "SE3", "screw", "coscrew", "mat6x6", "quaternion", "inertia")
+STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
+           "inertia")
+
+# Conversions name both types, so that in single precision both have an f.
+_CONVERSION = re.compile(r"(from|to)(SE3|Mat4x4)")
 
 _MEMBERS = {
-    "vec3": tuple("xyz"), "quaternion": tuple("xyzw"),
+    "vec3": tuple("xyz"), "vec4": tuple("xyzw"), "quaternion": tuple("xyzw"),
     "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
 
@@ -42,9 +46,11 @@ def type_name(name: str, precision: Precision) -> str:
 
 def c_name(name: str, precision: Precision) -> str:
     """The function's C name; single precision puts its f behind the type the name starts with
-    (ksl_coscrewf_copy), else at the end (ksl_product_CoAdcf)."""
+    (ksl_coscrewf_copy), and behind one it ends in (ksl_mat4x4f_toSE3f), else at the end
+    (ksl_product_CoAdcf)."""
     head, underscore, tail = name.partition("_")
     if head in STRUCTS:
+        tail += precision.suffix if _CONVERSION.fullmatch(tail) else ""
         return f"ksl_{head}{precision.suffix}{underscore}{tail}"
     return f"ksl_{name}{precision.suffix}"
 
@@ -56,7 +62,7 @@ def member(quantity: Quantity, index: int) -> str:
         return f".{_MEMBERS[quantity.name][row]}"
     if quantity.name in ("screw", "coscrew"):
         return f".m{row}"
-    if quantity.name in ("mat3x3", "SE3"):
+    if quantity.name in ("mat3x3", "mat4x4", "SE3"):
         return f".m{row}{column}"
     if quantity.name == "mat6x6":
         return f".at[{column}][{row}]"

@@ -6,17 +6,22 @@ They exist in C alone: Python has arrays.
 from fractions import Fraction
 
 from coscrew_codegen.program import Constant
-from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, QUATERNION, SCREW, SE3,
-                                      VEC3, Quantity)
+from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT4X4, MAT6X6, QUATERNION, SCREW,
+                                      SE3, VEC3, VEC4, Quantity)
 from coscrew_codegen.targets.c import CFunction, member, type_name
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.precision import Precision
 
 _FIELDS = {
     "vec3": (("{real} at[3];",), ("{real} x, y, z;",)),
+    "vec4": (("{real} at[4];",), ("{real} x, y, z, w;",), ("ksl_vec3{f}_t r;",)),
     "mat3x3": (("{real} as_array[9];",), ("{real} at[3][3];",),
                ("{real} m00, m10, m20;", "{real} m01, m11, m21;", "{real} m02, m12, m22;"),
                ("ksl_vec3{f}_t v0, v1, v2;",), ("ksl_vec3{f}_t v[3];",)),
+    "mat4x4": (("{real} as_array[16];",), ("{real} at[4][4];",),
+               tuple("{real} " + ", ".join(f"m{row}{column}" for row in range(4)) + ";"
+                     for column in range(4)),
+               ("ksl_vec4{f}_t v0, v1, v2, v3;",), ("ksl_vec4{f}_t v[4];",)),
     "SE3": (("{real} as_array[12];",), ("{real} at[4][3];",),
             ("ksl_mat3x3{f}_t R;", "ksl_vec3{f}_t t;"),
             ("{real} m00, m10, m20;", "{real} m01, m11, m21;", "{real} m02, m12, m22;",
@@ -34,7 +39,9 @@ _FIELDS = {
 
 _MEANING = {
     "vec3": "vector (x, y, z)",
+    "vec4": "vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate",
     "mat3x3": "3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]",
+    "mat4x4": "4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]",
     "SE3": "displacement [R | t], stored column by column: m13 is t.y, also at[3][1]",
     "screw": "screw (lin; ang) = (v; ω)",
     "coscrew": "coscrew (lin; ang) = (f; τ)",
@@ -43,11 +50,16 @@ _MEANING = {
     "inertia": "spatial inertia: mass m, first moment h = m c, second moments about the origin",
 }
 
-_IDENTITIES = {"mat3x3": ("m00", "m11", "m22"), "SE3": ("m00", "m11", "m22"), "quaternion": ("w",)}
+_IDENTITIES = {"mat3x3": ("m00", "m11", "m22"), "mat4x4": ("m00", "m11", "m22", "m33"),
+               "SE3": ("m00", "m11", "m22"), "quaternion": ("w",)}
 """The types that are allocated as identities, and their members that are 1 then."""
 
-TYPES = (VEC3, MAT3X3, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA)
+TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA)
 """The struct types, each after those it is made of."""
+
+INTEGER = Precision("integer", "int", "i", "int32", 4)
+INTEGRAL = (VEC3, VEC4)
+"""The types that exist with integer members, too: ksl_vec3i_t."""
 
 
 def views(quantity: Quantity, precision: Precision) -> list[list[str]]:
@@ -83,13 +95,19 @@ def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...
         return ()
     stem = f"ksl_{family}{precision.suffix}"
     functions = [] if quantity is MAT6X6 else [_constructor(quantity, precision, stem)]
-    if quantity in (MAT3X3, SE3):
+    if quantity in (MAT3X3, MAT4X4, SE3):
         functions.append(_constructor(quantity, precision, f"{stem}_cmo", by_columns=True))
     if quantity is SE3:
         functions.append(_identity(precision, stem))
-    if quantity in (MAT3X3, SE3, MAT6X6):
+    if quantity in (MAT3X3, MAT4X4, SE3, MAT6X6):
         functions += _element_access(quantity, precision, stem)
     return tuple(functions)
+
+
+def integers(family: str) -> tuple[CFunction, ...]:
+    """The constructor of integers of the type a family is named after, if there is one."""
+    quantity = next((q for q in INTEGRAL if q.name == family), None)
+    return (_constructor(quantity, INTEGER, f"ksl_{family}i"),) if quantity else ()
 
 
 def allocation(family: str, precision: Precision) -> CFunction | None:

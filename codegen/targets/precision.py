@@ -1,5 +1,6 @@
 """The two precisions: names, suffixes, literals."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -23,10 +24,21 @@ class Precision:
         """The constant's exact value in this precision, before rounding."""
         return {"double": constant.double, "single": constant.single}[self.name]
 
+    def limit(self, name: str) -> Fraction:
+        """A limit as NumPy calls it: max, smallest_normal, smallest_subnormal."""
+        return Fraction(float(getattr(np.finfo(self.numpy_type), name)))
+
     @cache
     def literal(self, constant: Constant) -> str:
-        """The shortest decimal that rounds to the constant in this precision."""
-        return str(self.rounded(self.value(constant)))
+        """The shortest decimal that rounds to the constant in this precision.
+
+        Raises ValueError for a constant that would become infinite or, not being it, zero."""
+        value = self.value(constant)
+        if abs(value) <= self.limit("max"):
+            number = self.rounded(value)
+            if number or not value:
+                return str(number)
+        raise ValueError(f"a constant is outside {self.name} precision's range")
 
     def rounded(self, value: Fraction) -> np.floating:
         """The number of this precision nearest to `value`; of two, the even one."""
@@ -41,3 +53,8 @@ class Precision:
 DOUBLE = Precision("double", "double", "", "float64", 8)
 SINGLE = Precision("single", "float", "f", "float32", 4)
 PRECISIONS = (DOUBLE, SINGLE)
+
+
+def named(names: Collection[str]) -> tuple[Precision, ...]:
+    """The precisions of these names, double first."""
+    return tuple(precision for precision in PRECISIONS if precision.name in names)

@@ -17,7 +17,7 @@ from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
 
 
@@ -32,15 +32,20 @@ class CText:
     internal: bool = False
 
 
+_IN_WORDS = {("double",): "double precision alone, as the scene says",
+             ("double", "single"): "double and (names that end in f) single precision"}
+
+
 def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     """The texts of arm.h and arm.c."""
-    sections = [{"precision": p, "functions": _functions(scene, p)} for p in PRECISIONS]
+    sections = [{"precision": p, "functions": _functions(scene, p)}
+                for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 10000 major + 100 minor + patch */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         macros.append(("NP", str(len(scene.parameters))))
-    macros += [entry for p in PRECISIONS for entry in _defaults(scene, p)]
+    macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
@@ -54,7 +59,7 @@ def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
 
 def _about(scene: SceneFunctions) -> list[str]:
     return [
-        f"{scene.name}: dynamics of a scene, in double and (names that end in f) single precision.",
+        f"{scene.name}: dynamics of a scene, in {_IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
         "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs "
         "may alias inputs, also in part.  No heap, no state: every function may run in many "

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import PRECISIONS, Precision, named
 from coscrew_codegen.targets.scene_c import c_name
 
 # Times and steps are those of steps called one by one: rounded from double.
@@ -53,7 +53,7 @@ def source(scene: SceneFunctions) -> str:
     sections = [{"precision": p, "format": _FORMAT[p.name],
                  "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
-                for p in PRECISIONS]
+                for p in named(scene.precisions)]
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
 
 

@@ -16,7 +16,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
 from coscrew_codegen.version import VERSION
@@ -28,12 +28,12 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION, nq=scene.nq,
-        nv=scene.nv,
+        nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
     files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
-    return files | {f"{p.name}.py": _module(scene, banner, p) for p in PRECISIONS}
+    return files | {f"{p.name}.py": _module(scene, banner, p) for p in named(scene.precisions)}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:

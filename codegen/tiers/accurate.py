@@ -2,10 +2,10 @@
 carried as hi + lo, rounded to hi + lo at the end.  First-order errors cancel; what
 remains is of order u² S.
 
-Operands of quotients, roots and arctangents are first made non-overlapping, hi the rounded hi + lo,
-so that terms of order lo² do not matter however much has cancelled.  Residuals of quotients and
-roots, a - q b and a - s s, are exact numbers; an arctangent's own rounding is the only one that
-stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
+Operands of quotients, roots, arctangents and comparisons are first made non-overlapping, hi the
+rounded hi + lo, so that terms of order lo² do not matter however much has cancelled.  Residuals of
+quotients and roots, a - q b and a - s s, are exact numbers; an arctangent's own rounding is the
+only one that stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
 
 Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, the sums that
 are multiplied are made non-overlapping, too: one rounding is left in hi of all that led to it, so
@@ -22,6 +22,7 @@ from coscrew_codegen.tiers.compensated import Compensator
 
 _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
 _NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
+_JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # of what has cancelled, hi may be 0 and lo the number
 COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
                          *_NONLINEAR})
 """The operations whose results the tier knows how to carry."""
@@ -71,7 +72,7 @@ class _Accurate(Compensator):
         if step.op not in self._rules:
             super().compensate(step)
             return
-        if step.op in _NONLINEAR:
+        if step.op in _NONLINEAR | _JUDGING:
             step = replace(step, operands=tuple(self._normalized(step, x) for x in step.operands))
         low = [self.low(step, x) for x in step.operands]
         self.steps.append(step)
@@ -180,7 +181,7 @@ class _Accurate(Compensator):
         return self.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
 
     def _comparison(self, step: Instruction, low: list[Operand | None]) -> None:
-        """Comparisons look at hi."""
+        """Comparisons look at hi + lo rounded."""
 
     def final(self, result: Operand, guarded: bool) -> Operand:
         """hi + lo rounded; if guarded, hi where that is not a number."""

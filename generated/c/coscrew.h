@@ -59,6 +59,33 @@ typedef union ksl_vec3f_t {
   KSL_VIEW { float x, y, z; };
 } ksl_vec3f_t;
 
+/* vector (x, y, z); integer precision. */
+typedef union ksl_vec3i_t {
+  KSL_VIEW { int at[3]; };
+  KSL_VIEW { int x, y, z; };
+} ksl_vec3i_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; double precision. */
+typedef union ksl_vec4_t {
+  KSL_VIEW { double at[4]; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
+} ksl_vec4_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; single precision. */
+typedef union ksl_vec4f_t {
+  KSL_VIEW { float at[4]; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
+} ksl_vec4f_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; integer precision. */
+typedef union ksl_vec4i_t {
+  KSL_VIEW { int at[4]; };
+  KSL_VIEW { int x, y, z, w; };
+  KSL_VIEW { ksl_vec3i_t r; };
+} ksl_vec4i_t;
+
 /* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; double precision. */
 typedef union ksl_mat3x3_t {
   KSL_VIEW { double as_array[9]; };
@@ -84,6 +111,34 @@ typedef union ksl_mat3x3f_t {
   KSL_VIEW { ksl_vec3f_t v0, v1, v2; };
   KSL_VIEW { ksl_vec3f_t v[3]; };
 } ksl_mat3x3f_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; double precision. */
+typedef union ksl_mat4x4_t {
+  KSL_VIEW { double as_array[16]; };
+  KSL_VIEW { double at[4][4]; };
+  KSL_VIEW {
+    double m00, m10, m20, m30;
+    double m01, m11, m21, m31;
+    double m02, m12, m22, m32;
+    double m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4_t v[4]; };
+} ksl_mat4x4_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; single precision. */
+typedef union ksl_mat4x4f_t {
+  KSL_VIEW { float as_array[16]; };
+  KSL_VIEW { float at[4][4]; };
+  KSL_VIEW {
+    float m00, m10, m20, m30;
+    float m01, m11, m21, m31;
+    float m02, m12, m22, m32;
+    float m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4f_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4f_t v[4]; };
+} ksl_mat4x4f_t;
 
 /* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; double precision. */
 typedef union ksl_SE3_t {
@@ -195,12 +250,31 @@ typedef union ksl_inertiaf_t {
   };
 } ksl_inertiaf_t;
 
+/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
+   of the body as the turns before have left it. */
+typedef enum ksl_axis_enum_t {
+  KSL_AXIS_XYZ,
+  KSL_AXIS_YZX,
+  KSL_AXIS_ZXY,
+  KSL_AXIS_XZY,
+  KSL_AXIS_YXZ,
+  KSL_AXIS_ZYX,
+  KSL_AXIS_XYX,
+  KSL_AXIS_XZX,
+  KSL_AXIS_YXY,
+  KSL_AXIS_YZY,
+  KSL_AXIS_ZXZ,
+  KSL_AXIS_ZYZ,
+  KSL_AXIS_INVALID
+} ksl_axis_enum_t;
+
 #endif
 
 /* Vectors of three components. */
 #ifndef KSL_VEC3_H
 #define KSL_VEC3_H
 
+#include <stdbool.h>
 
 /* The vec3 of these entries, in order. */
 static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z) {
@@ -376,7 +450,7 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -384,21 +458,23 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -406,7 +482,8 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -431,7 +508,7 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -439,7 +516,8 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -464,7 +542,7 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -472,7 +550,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
+      s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
   const double scaled_s1_0 = v1->x * s1;
   const double scaled_s1_1 = v1->y * s1;
   const double scaled_s1_2 = v1->z * s1;
@@ -482,7 +561,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
+      s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
   const double scaled_s2_0 = v2->x * s2;
   const double scaled_s2_1 = v2->y * s2;
   const double scaled_s2_2 = v2->z * s2;
@@ -498,14 +578,16 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = c_0 * s;
   const double y_1 = c_1 * s;
   const double y_2 = c_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double cross = n * r;
   const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
@@ -829,7 +911,7 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -837,20 +919,22 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -858,7 +942,8 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -883,7 +968,7 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -891,7 +976,8 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
@@ -916,7 +1002,7 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float s1_size_0 = fabsf(v1->x);
   const float s1_size_1 = fabsf(v1->y);
@@ -924,7 +1010,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
-      s1 = s1_largest2 < 8.881784e-16f ? 1.2676506e+30f : s1b;
+      s1d = s1_largest2 < 256.0f ? 1.8014399e+16f : s1b,
+      s1 = s1_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s1d;
   const float scaled_s1_0 = v1->x * s1;
   const float scaled_s1_1 = v1->y * s1;
   const float scaled_s1_2 = v1->z * s1;
@@ -934,7 +1021,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
-      s2 = s2_largest2 < 8.881784e-16f ? 1.2676506e+30f : s2b;
+      s2d = s2_largest2 < 256.0f ? 1.8014399e+16f : s2b,
+      s2 = s2_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s2d;
   const float scaled_s2_0 = v2->x * s2;
   const float scaled_s2_1 = v2->y * s2;
   const float scaled_s2_2 = v2->z * s2;
@@ -947,13 +1035,15 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = c_0 * s;
   const float y_1 = c_1 * s;
   const float y_2 = c_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float cross = n * r;
   const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
@@ -1120,12 +1210,657 @@ static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
 
 #endif
 
+/* What KSL declares beside formulas. */
+
+
+/* The vec3 of these entries, in order. */
+static inline ksl_vec3i_t ksl_vec3i(const int x, const int y, const int z) {
+  ksl_vec3i_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* Whether all components are equal. */
+static inline bool ksl_vec3i_isEqual(const ksl_vec3i_t *v1, const ksl_vec3i_t *v2) {
+  return v1->x == v2->x && v1->y == v2->y && v1->z == v2->z;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec3i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec3i_t *ksl_vec3i_alloc(int n) {
+  return n > 0 ? (ksl_vec3i_t *)calloc((size_t)n, sizeof(ksl_vec3i_t)) : NULL;
+}
+
+#endif
+
+#endif
+
+/* Axes, and sequences of axes of Euler angles. */
+#ifndef KSL_AXIS_H
+#define KSL_AXIS_H
+
+
+/* What KSL declares beside formulas. */
+
+/* The axes of a sequence, x 0, y 1, z 2; those of KSL_AXIS_INVALID are -1. */
+static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
+  switch (axisType) {
+    case KSL_AXIS_XYZ: return ksl_vec3i(0, 1, 2);
+    case KSL_AXIS_YZX: return ksl_vec3i(1, 2, 0);
+    case KSL_AXIS_ZXY: return ksl_vec3i(2, 0, 1);
+    case KSL_AXIS_XZY: return ksl_vec3i(0, 2, 1);
+    case KSL_AXIS_YXZ: return ksl_vec3i(1, 0, 2);
+    case KSL_AXIS_ZYX: return ksl_vec3i(2, 1, 0);
+    case KSL_AXIS_XYX: return ksl_vec3i(0, 1, 0);
+    case KSL_AXIS_XZX: return ksl_vec3i(0, 2, 0);
+    case KSL_AXIS_YXY: return ksl_vec3i(1, 0, 1);
+    case KSL_AXIS_YZY: return ksl_vec3i(1, 2, 1);
+    case KSL_AXIS_ZXZ: return ksl_vec3i(2, 0, 2);
+    case KSL_AXIS_ZYZ: return ksl_vec3i(2, 1, 2);
+    case KSL_AXIS_INVALID: break;
+  }
+  return ksl_vec3i(-1, -1, -1);
+}
+
+/* The sequence of three axes, x 0, y 1, z 2; KSL_AXIS_INVALID where they are no Euler angles'. */
+static inline ksl_axis_enum_t ksl_axis_getEulerAngles(ksl_vec3i_t angles) {
+  if (angles.x == 0 && angles.y == 1 && angles.z == 2) {
+    return KSL_AXIS_XYZ;
+  }
+  if (angles.x == 1 && angles.y == 2 && angles.z == 0) {
+    return KSL_AXIS_YZX;
+  }
+  if (angles.x == 2 && angles.y == 0 && angles.z == 1) {
+    return KSL_AXIS_ZXY;
+  }
+  if (angles.x == 0 && angles.y == 2 && angles.z == 1) {
+    return KSL_AXIS_XZY;
+  }
+  if (angles.x == 1 && angles.y == 0 && angles.z == 2) {
+    return KSL_AXIS_YXZ;
+  }
+  if (angles.x == 2 && angles.y == 1 && angles.z == 0) {
+    return KSL_AXIS_ZYX;
+  }
+  if (angles.x == 0 && angles.y == 1 && angles.z == 0) {
+    return KSL_AXIS_XYX;
+  }
+  if (angles.x == 0 && angles.y == 2 && angles.z == 0) {
+    return KSL_AXIS_XZX;
+  }
+  if (angles.x == 1 && angles.y == 0 && angles.z == 1) {
+    return KSL_AXIS_YXY;
+  }
+  if (angles.x == 1 && angles.y == 2 && angles.z == 1) {
+    return KSL_AXIS_YZY;
+  }
+  if (angles.x == 2 && angles.y == 0 && angles.z == 2) {
+    return KSL_AXIS_ZXZ;
+  }
+  if (angles.x == 2 && angles.y == 1 && angles.z == 2) {
+    return KSL_AXIS_ZYZ;
+  }
+  return KSL_AXIS_INVALID;
+}
+
+#endif
+
+/* Numbers in arrays: exchanged, and added in multiples. */
+#ifndef KSL_ARRAY_H
+#define KSL_ARRAY_H
+
+
+/* What KSL declares beside formulas. */
+
+
+/* Exchanges two numbers. */
+static inline void ksl_swap(double *a, double *b) {
+  const double first = *a;
+  *a = *b;
+  *b = first;
+}
+
+/* Exchanges two numbers. */
+static inline void ksl_swapf(float *a, float *b) {
+  const float first = *a;
+  *a = *b;
+  *b = first;
+}
+
+/* Exchanges two numbers. */
+static inline void ksl_swapi(int *a, int *b) {
+  const int first = *a;
+  *a = *b;
+  *b = first;
+}
+
+/* y = a x + y, n numbers each. */
+static inline void ksl_axpy(
+    const int n, const double a, const double *x, double *y) {
+  for (int i = 0; i < n; i++) {
+    const double product = a * x[i];
+    y[i] = product + y[i];
+  }
+}
+
+/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+static inline void ksl_swapArray(
+    const int n, double *a, const int a_stride, double *b, const int b_stride) {
+  for (int i = 0; i < n; i++) {
+    ksl_swap(a + i * a_stride, b + i * b_stride);
+  }
+}
+
+/* y = a x + y, n numbers each. */
+static inline void ksl_axpyf(
+    const int n, const float a, const float *x, float *y) {
+  for (int i = 0; i < n; i++) {
+    const float product = a * x[i];
+    y[i] = product + y[i];
+  }
+}
+
+/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+static inline void ksl_swapArrayf(
+    const int n, float *a, const int a_stride, float *b, const int b_stride) {
+  for (int i = 0; i < n; i++) {
+    ksl_swapf(a + i * a_stride, b + i * b_stride);
+  }
+}
+
+#endif
+
+/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them. */
+#ifndef KSL_VEC4_H
+#define KSL_VEC4_H
+
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4_t ksl_vec4(const double x, const double y, const double z, const double w) {
+  ksl_vec4_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4_copy(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
+  const double vi_x = vi->x;
+  const double vi_y = vi->y;
+  const double vi_z = vi->z;
+  const double vi_w = vi->w;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+  vo->w = vi_w;
+}
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scale(ksl_vec4_t *self, const double a) {
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4_inverted(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
+  const double vo_0 = -vi->x;
+  const double vo_1 = -vi->y;
+  const double vo_2 = -vi->z;
+  const double vo_3 = -vi->w;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* self = -self.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4_invert(ksl_vec4_t *self) {
+  const double self_0_new = -self->x;
+  const double self_1_new = -self->y;
+  const double self_2_new = -self->z;
+  const double self_3_new = -self->w;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scaled(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  const double vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4_swap(ksl_vec4_t *v1, ksl_vec4_t *v2) {
+  const double v2_x = v2->x;
+  const double v2_y = v2->y;
+  const double v2_z = v2->z;
+  const double v2_w = v2->w;
+  const double v1_x = v1->x;
+  const double v1_y = v1->y;
+  const double v1_z = v1->z;
+  const double v1_w = v1->w;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v1->w = v2_w;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+  v2->w = v1_w;
+}
+
+/* |v| = sqrt(v·v), all four components.
+   v: vector (x, y, z) and a homogeneous coordinate w.
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_size_3 = fabs(v->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double y_3 = v->w * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
+  const double norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_size_3 = fabs(self->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double y_3 = self->w * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double enlarged_3 = self->w * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_size_3 = fabs(v->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double y_3 = v->w * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
+  const double enlarged_0 = v->x * up;
+  const double enlarged_1 = v->y * up;
+  const double enlarged_2 = v->z * up;
+  const double enlarged_3 = v->w * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double vo_0 = quotient_0 * down;
+  const double vo_1 = quotient_1 * down;
+  const double vo_2 = quotient_2 * down;
+  const double vo_3 = quotient_3 * down;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4f_t ksl_vec4f(const float x, const float y, const float z, const float w) {
+  ksl_vec4f_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4f_copy(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
+  const float vi_x = vi->x;
+  const float vi_y = vi->y;
+  const float vi_z = vi->z;
+  const float vi_w = vi->w;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+  vo->w = vi_w;
+}
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scale(ksl_vec4f_t *self, const float a) {
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4f_inverted(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
+  const float vo_0 = -vi->x;
+  const float vo_1 = -vi->y;
+  const float vo_2 = -vi->z;
+  const float vo_3 = -vi->w;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* self = -self.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4f_invert(ksl_vec4f_t *self) {
+  const float self_0_new = -self->x;
+  const float self_1_new = -self->y;
+  const float self_2_new = -self->z;
+  const float self_3_new = -self->w;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scaled(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
+  const float vo_0 = v->x * k;
+  const float vo_1 = v->y * k;
+  const float vo_2 = v->z * k;
+  const float vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4f_swap(ksl_vec4f_t *v1, ksl_vec4f_t *v2) {
+  const float v2_x = v2->x;
+  const float v2_y = v2->y;
+  const float v2_z = v2->z;
+  const float v2_w = v2->w;
+  const float v1_x = v1->x;
+  const float v1_y = v1->y;
+  const float v1_z = v1->z;
+  const float v1_w = v1->w;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v1->w = v2_w;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+  v2->w = v1_w;
+}
+
+/* |v| = sqrt(v·v), all four components.
+   v: vector (x, y, z) and a homogeneous coordinate w.
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_size_3 = fabsf(v->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float y_3 = v->w * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
+  const float norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
+  const float s_size_0 = fabsf(self->x);
+  const float s_size_1 = fabsf(self->y);
+  const float s_size_2 = fabsf(self->z);
+  const float s_size_3 = fabsf(self->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = self->x * s;
+  const float y_1 = self->y * s;
+  const float y_2 = self->z * s;
+  const float y_3 = self->w * s;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
+  const float enlarged_0 = self->x * up;
+  const float enlarged_1 = self->y * up;
+  const float enlarged_2 = self->z * up;
+  const float enlarged_3 = self->w * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
+  const float self_3_new = quotient_3 * down;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_size_3 = fabsf(v->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float y_3 = v->w * s;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
+  const float enlarged_0 = v->x * up;
+  const float enlarged_1 = v->y * up;
+  const float enlarged_2 = v->z * up;
+  const float enlarged_3 = v->w * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float vo_0 = quotient_0 * down;
+  const float vo_1 = quotient_1 * down;
+  const float vo_2 = quotient_2 * down;
+  const float vo_3 = quotient_3 * down;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec4_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4_t *ksl_vec4_alloc(int n) {
+  return n > 0 ? (ksl_vec4_t *)calloc((size_t)n, sizeof(ksl_vec4_t)) : NULL;
+}
+
+/* n ksl_vec4f_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4f_t *ksl_vec4f_alloc(int n) {
+  return n > 0 ? (ksl_vec4f_t *)calloc((size_t)n, sizeof(ksl_vec4f_t)) : NULL;
+}
+
+#endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4i_t ksl_vec4i(const int x, const int y, const int z, const int w) {
+  ksl_vec4i_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec4i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4i_t *ksl_vec4i_alloc(int n) {
+  return n > 0 ? (ksl_vec4i_t *)calloc((size_t)n, sizeof(ksl_vec4i_t)) : NULL;
+}
+
+#endif
+
 #endif
 
 /* 3×3 matrices: rotations, and matrices in general. */
 #ifndef KSL_MAT3X3_H
 #define KSL_MAT3X3_H
 
+#include <stdarg.h>
 
 /* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
@@ -1320,6 +2055,636 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
       det_d = R->m20 * n_2, det = det_c + det_d;
   return det;
+}
+
+/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
+     times the sum of its terms' sizes), and Ro = NaN.
+   R, Ro: rotation or other 3×3 matrix.
+   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
+     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
+  const double n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
+  const double n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
+  const double n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
+  const double n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
+  const double n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
+  const double n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
+  const double n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
+  const double n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
+  const double d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
+      d = d_c + d_d;
+  const double size0_0 = fabs(R->m00);
+  const double size0_1 = fabs(R->m10);
+  const double size0_2 = fabs(R->m20);
+  const double size1_0 = fabs(R->m01);
+  const double size1_1 = fabs(R->m11);
+  const double size1_2 = fabs(R->m21);
+  const double size2_0 = fabs(R->m02);
+  const double size2_1 = fabs(R->m12);
+  const double size2_2 = fabs(R->m22);
+  const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
+      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
+      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
+      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
+      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+  const double least_a = permanent * 8.881784197001252e-16,
+      least = least_a + 1.0261342003245941e-289;
+  const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
+  const double divisor = regular == 1.0 ? d : 1.0;
+  const double det = regular == 1.0 ? d : 0.0;
+  const double Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN;
+  const double Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN;
+  const double Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN;
+  const double Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN;
+  const double Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN;
+  const double Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN;
+  const double Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN;
+  const double Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN;
+  const double Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  return det;
+}
+
+/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+   self: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
+  const double q0_s_size_0 = fabs(self->m00);
+  const double q0_s_size_1 = fabs(self->m01);
+  const double q0_s_size_2 = fabs(self->m02);
+  const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
+  const double q0_y_0 = self->m00 * q0_s;
+  const double q0_y_1 = self->m01 * q0_s;
+  const double q0_y_2 = self->m02 * q0_s;
+  const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
+  const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
+  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
+  const double q0_enlarged_0 = self->m00 * q0_up;
+  const double q0_enlarged_1 = self->m01 * q0_up;
+  const double q0_enlarged_2 = self->m02 * q0_up;
+  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_0 = q0_quotient_0 * q0_down;
+  const double q0_1 = q0_quotient_1 * q0_down;
+  const double q0_2 = q0_quotient_2 * q0_down;
+  const double u1_s_size_0 = fabs(self->m10);
+  const double u1_s_size_1 = fabs(self->m11);
+  const double u1_s_size_2 = fabs(self->m12);
+  const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
+  const double u1_y_0 = self->m10 * u1_s;
+  const double u1_y_1 = self->m11 * u1_s;
+  const double u1_y_2 = self->m12 * u1_s;
+  const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
+  const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
+  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
+  const double u1_enlarged_0 = self->m10 * u1_up;
+  const double u1_enlarged_1 = self->m11 * u1_up;
+  const double u1_enlarged_2 = self->m12 * u1_up;
+  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_0 = u1_quotient_0 * u1_down;
+  const double u1_1 = u1_quotient_1 * u1_down;
+  const double u1_2 = u1_quotient_2 * u1_down;
+  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double q1_0 = twice_0 / divisor;
+  const double q1_1 = twice_1 / divisor;
+  const double q1_2 = twice_2 / divisor;
+  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double u2_s_size_0 = fabs(self->m20);
+  const double u2_s_size_1 = fabs(self->m21);
+  const double u2_s_size_2 = fabs(self->m22);
+  const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
+  const double u2_y_0 = self->m20 * u2_s;
+  const double u2_y_1 = self->m21 * u2_s;
+  const double u2_y_2 = self->m22 * u2_s;
+  const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
+  const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
+  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
+  const double u2_enlarged_0 = self->m20 * u2_up;
+  const double u2_enlarged_1 = self->m21 * u2_up;
+  const double u2_enlarged_2 = self->m22 * u2_up;
+  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_0 = u2_quotient_0 * u2_down;
+  const double u2_1 = u2_quotient_1 * u2_down;
+  const double u2_2 = u2_quotient_2 * u2_down;
+  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
+  const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
+  const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
+  const double size = fabs(side);
+  const double less = n < size ? n : size;
+  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0;
+  const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1;
+  const double self_02_new = dependent == 1.0 ? (double)NAN : q0_2;
+  const double self_10_new = dependent == 1.0 ? (double)NAN : q1_0;
+  const double self_11_new = dependent == 1.0 ? (double)NAN : q1_1;
+  const double self_12_new = dependent == 1.0 ? (double)NAN : q1_2;
+  const double self_20_new = dependent == 1.0 ? (double)NAN : q2_0;
+  const double self_21_new = dependent == 1.0 ? (double)NAN : q2_1;
+  const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
+     of it, the third its side of both; NaN where rows depend on each other to rounding.
+   R, Ro: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double q0_s_size_0 = fabs(R->m00);
+  const double q0_s_size_1 = fabs(R->m01);
+  const double q0_s_size_2 = fabs(R->m02);
+  const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
+  const double q0_y_0 = R->m00 * q0_s;
+  const double q0_y_1 = R->m01 * q0_s;
+  const double q0_y_2 = R->m02 * q0_s;
+  const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
+  const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
+  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
+  const double q0_enlarged_0 = R->m00 * q0_up;
+  const double q0_enlarged_1 = R->m01 * q0_up;
+  const double q0_enlarged_2 = R->m02 * q0_up;
+  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_0 = q0_quotient_0 * q0_down;
+  const double q0_1 = q0_quotient_1 * q0_down;
+  const double q0_2 = q0_quotient_2 * q0_down;
+  const double u1_s_size_0 = fabs(R->m10);
+  const double u1_s_size_1 = fabs(R->m11);
+  const double u1_s_size_2 = fabs(R->m12);
+  const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
+  const double u1_y_0 = R->m10 * u1_s;
+  const double u1_y_1 = R->m11 * u1_s;
+  const double u1_y_2 = R->m12 * u1_s;
+  const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
+  const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
+  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
+  const double u1_enlarged_0 = R->m10 * u1_up;
+  const double u1_enlarged_1 = R->m11 * u1_up;
+  const double u1_enlarged_2 = R->m12 * u1_up;
+  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_0 = u1_quotient_0 * u1_down;
+  const double u1_1 = u1_quotient_1 * u1_down;
+  const double u1_2 = u1_quotient_2 * u1_down;
+  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double q1_0 = twice_0 / divisor;
+  const double q1_1 = twice_1 / divisor;
+  const double q1_2 = twice_2 / divisor;
+  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double u2_s_size_0 = fabs(R->m20);
+  const double u2_s_size_1 = fabs(R->m21);
+  const double u2_s_size_2 = fabs(R->m22);
+  const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
+  const double u2_y_0 = R->m20 * u2_s;
+  const double u2_y_1 = R->m21 * u2_s;
+  const double u2_y_2 = R->m22 * u2_s;
+  const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
+  const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
+  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
+  const double u2_enlarged_0 = R->m20 * u2_up;
+  const double u2_enlarged_1 = R->m21 * u2_up;
+  const double u2_enlarged_2 = R->m22 * u2_up;
+  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_0 = u2_quotient_0 * u2_down;
+  const double u2_1 = u2_quotient_1 * u2_down;
+  const double u2_2 = u2_quotient_2 * u2_down;
+  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
+  const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
+  const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
+  const double size = fabs(side);
+  const double less = n < size ? n : size;
+  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0;
+  const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1;
+  const double Ro_02 = dependent == 1.0 ? (double)NAN : q0_2;
+  const double Ro_10 = dependent == 1.0 ? (double)NAN : q1_0;
+  const double Ro_11 = dependent == 1.0 ? (double)NAN : q1_1;
+  const double Ro_12 = dependent == 1.0 ? (double)NAN : q1_2;
+  const double Ro_20 = dependent == 1.0 ? (double)NAN : q2_0;
+  const double Ro_21 = dependent == 1.0 ? (double)NAN : q2_1;
+  const double Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   12 mul, 10 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
+    const double dc[2]) {
+  const double versine = 1.0 - dc[1];
+  const double versine_axis_0 = axis->x * versine;
+  const double versine_axis_1 = axis->y * versine;
+  const double versine_axis_2 = axis->z * versine;
+  const double m_0 = axis->x * versine_axis_0;
+  const double m_1 = axis->y * versine_axis_1;
+  const double m_2 = axis->z * versine_axis_2;
+  const double m_3 = axis->y * versine_axis_0;
+  const double m_4 = axis->z * versine_axis_0;
+  const double m_5 = axis->z * versine_axis_1;
+  const double sine_axis_0 = axis->x * dc[0];
+  const double sine_axis_1 = axis->y * dc[0];
+  const double sine_axis_2 = axis->z * dc[0];
+  const double R_00 = dc[1] + m_0;
+  const double R_01 = m_3 - sine_axis_2;
+  const double R_02 = m_4 + sine_axis_1;
+  const double R_10 = m_3 + sine_axis_2;
+  const double R_11 = dc[1] + m_1;
+  const double R_12 = m_5 - sine_axis_0;
+  const double R_20 = m_4 - sine_axis_1;
+  const double R_21 = m_5 + sine_axis_0;
+  const double R_22 = dc[1] + m_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  const double s_0 = sin(angles->x);
+  const double s_1 = sin(angles->y);
+  const double s_2 = sin(angles->z);
+  const double c_0 = cos(angles->x);
+  const double c_1 = cos(angles->y);
+  const double c_2 = cos(angles->z);
+  const double first_0 = c_1 * c_2;
+  const double first_1a = s_2 * c_1, first_1 = -first_1a;
+  const double first_6a = s_1 * c_2, first_6 = -first_6a;
+  const double first_7 = s_1 * s_2;
+  const double last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
+  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const double last_5a = s_0 * c_1, last_5 = -last_5a;
+  const double last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
+  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const double last_8 = c_0 * c_1;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
+  const double n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrt(n_c);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double cosine_a = R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
+  const double sine_a = -R->m01, sine = sine_a / divisor;
+  const double polar = atan2(sine_a, R->m00);
+  const double third = n == 0.0 ? 0.0 : polar;
+  const double left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
+  const double left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const double angles_0 = atan2(left_2, left_1);
+  const double angles_1 = atan2(R->m02, n);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  const double s_0 = sin(angles->x);
+  const double s_1 = sin(angles->y);
+  const double s_2 = sin(angles->z);
+  const double c_0 = cos(angles->x);
+  const double c_1 = cos(angles->y);
+  const double c_2 = cos(angles->z);
+  const double first_1 = s_1 * s_2;
+  const double first_2 = s_1 * c_2;
+  const double first_7 = s_2 * c_1;
+  const double first_8 = c_1 * c_2;
+  const double last_3 = s_0 * s_1;
+  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const double last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
+      last_5 = -last_5c;
+  const double last_6a = s_1 * c_0, last_6 = -last_6a;
+  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const double last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
+  const double n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrt(n_c);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double cosine_a = R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
+  const double sine = R->m01 / divisor;
+  const double polar = atan2(R->m01, R->m02);
+  const double third = n == 0.0 ? 0.0 : polar;
+  const double left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
+  const double left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const double angles_0 = atan2(left_2, left_1);
+  const double angles_1 = atan2(n, R->m00);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+   A, V: rotation or other 3×3 matrix.
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
+  const double twice = 2.0 * A->m10;
+  const double apart = A->m11 - A->m00;
+  const double divisor = twice == 0.0 ? 1.0 : twice;
+  const double theta = apart / divisor;
+  const double absolute = fabs(theta);
+  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+      size = absolute + size_c;
+  const double along_a = -size, along = theta < 0.0 ? along_a : size;
+  const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
+  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double c = 1.0 / secant;
+  const double s = t * c;
+  const double change = A->m10 * t;
+  const double zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const double zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const double vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const double vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const double vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const double vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const double vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const double vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double A_00_new = A->m11 + change;
+  const double A_22_new = A->m00 - change;
+  const double A_m22 = A->m22;
+  const double V_m02 = V->m02;
+  const double V_m12 = V->m12;
+  const double V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
+    ksl_mat3x3_t *R) {
+  const double half = 0.5 * angle;
+  const double h = sin(half);
+  const double cosine = cos(angle);
+  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
+      versine = cosine < 0.0 ? versine_c : versine_b;
+  const double sine = sin(angle);
+  const double beta_v_0 = axis->x * versine;
+  const double beta_v_1 = axis->y * versine;
+  const double beta_v_2 = axis->z * versine;
+  const double m_0 = axis->x * beta_v_0;
+  const double m_1 = axis->y * beta_v_1;
+  const double m_2 = axis->z * beta_v_2;
+  const double m_3 = axis->y * beta_v_0;
+  const double m_4 = axis->z * beta_v_0;
+  const double m_5 = axis->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = axis->x * sine;
+  const double alpha_v_1 = axis->y * sine;
+  const double alpha_v_2 = axis->z * sine;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
+  const double p_0 = R->m21 - R->m12;
+  const double p_1 = R->m02 - R->m20;
+  const double p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21;
+  const double s_1 = R->m02 + R->m20;
+  const double s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0;
+  const double first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22;
+  const double others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_3);
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  return angle;
 }
 
 /* The mat3x3 of these entries, row by row. */
@@ -1517,6 +2882,634 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   return det;
 }
 
+/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
+     times the sum of its terms' sizes), and Ro = NaN.
+   R, Ro: rotation or other 3×3 matrix.
+   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
+     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
+  const float n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
+  const float n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
+  const float n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
+  const float n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
+  const float n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
+  const float n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
+  const float n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
+  const float n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
+  const float d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
+      d = d_c + d_d;
+  const float size0_0 = fabsf(R->m00);
+  const float size0_1 = fabsf(R->m10);
+  const float size0_2 = fabsf(R->m20);
+  const float size1_0 = fabsf(R->m01);
+  const float size1_1 = fabsf(R->m11);
+  const float size1_2 = fabsf(R->m21);
+  const float size2_0 = fabsf(R->m02);
+  const float size2_1 = fabsf(R->m12);
+  const float size2_2 = fabsf(R->m22);
+  const float permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
+      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
+      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
+      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
+      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+  const float least_a = permanent * 4.7683716e-07f, least = least_a + 1.2621775e-29f;
+  const float regular_a = fabsf(d), regular = least < regular_a ? 1.0f : 0.0f;
+  const float divisor = regular == 1.0f ? d : 1.0f;
+  const float det = regular == 1.0f ? d : 0.0f;
+  const float Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0f ? Ro_00a : (float)NAN;
+  const float Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0f ? Ro_01a : (float)NAN;
+  const float Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0f ? Ro_02a : (float)NAN;
+  const float Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0f ? Ro_10a : (float)NAN;
+  const float Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0f ? Ro_11a : (float)NAN;
+  const float Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0f ? Ro_12a : (float)NAN;
+  const float Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0f ? Ro_20a : (float)NAN;
+  const float Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0f ? Ro_21a : (float)NAN;
+  const float Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0f ? Ro_22a : (float)NAN;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  return det;
+}
+
+/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+   self: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
+  const float q0_s_size_0 = fabsf(self->m00);
+  const float q0_s_size_1 = fabsf(self->m01);
+  const float q0_s_size_2 = fabsf(self->m02);
+  const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
+  const float q0_y_0 = self->m00 * q0_s;
+  const float q0_y_1 = self->m01 * q0_s;
+  const float q0_y_2 = self->m02 * q0_s;
+  const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
+  const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
+  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
+  const float q0_enlarged_0 = self->m00 * q0_up;
+  const float q0_enlarged_1 = self->m01 * q0_up;
+  const float q0_enlarged_2 = self->m02 * q0_up;
+  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_0 = q0_quotient_0 * q0_down;
+  const float q0_1 = q0_quotient_1 * q0_down;
+  const float q0_2 = q0_quotient_2 * q0_down;
+  const float u1_s_size_0 = fabsf(self->m10);
+  const float u1_s_size_1 = fabsf(self->m11);
+  const float u1_s_size_2 = fabsf(self->m12);
+  const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
+  const float u1_y_0 = self->m10 * u1_s;
+  const float u1_y_1 = self->m11 * u1_s;
+  const float u1_y_2 = self->m12 * u1_s;
+  const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
+  const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
+  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
+  const float u1_enlarged_0 = self->m10 * u1_up;
+  const float u1_enlarged_1 = self->m11 * u1_up;
+  const float u1_enlarged_2 = self->m12 * u1_up;
+  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_0 = u1_quotient_0 * u1_down;
+  const float u1_1 = u1_quotient_1 * u1_down;
+  const float u1_2 = u1_quotient_2 * u1_down;
+  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float q1_0 = twice_0 / divisor;
+  const float q1_1 = twice_1 / divisor;
+  const float q1_2 = twice_2 / divisor;
+  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float u2_s_size_0 = fabsf(self->m20);
+  const float u2_s_size_1 = fabsf(self->m21);
+  const float u2_s_size_2 = fabsf(self->m22);
+  const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
+  const float u2_y_0 = self->m20 * u2_s;
+  const float u2_y_1 = self->m21 * u2_s;
+  const float u2_y_2 = self->m22 * u2_s;
+  const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
+  const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
+  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
+  const float u2_enlarged_0 = self->m20 * u2_up;
+  const float u2_enlarged_1 = self->m21 * u2_up;
+  const float u2_enlarged_2 = self->m22 * u2_up;
+  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_0 = u2_quotient_0 * u2_down;
+  const float u2_1 = u2_quotient_1 * u2_down;
+  const float u2_2 = u2_quotient_2 * u2_down;
+  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
+  const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
+  const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
+  const float size = fabsf(side);
+  const float less = n < size ? n : size;
+  const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
+  const float self_00_new = dependent == 1.0f ? (float)NAN : q0_0;
+  const float self_01_new = dependent == 1.0f ? (float)NAN : q0_1;
+  const float self_02_new = dependent == 1.0f ? (float)NAN : q0_2;
+  const float self_10_new = dependent == 1.0f ? (float)NAN : q1_0;
+  const float self_11_new = dependent == 1.0f ? (float)NAN : q1_1;
+  const float self_12_new = dependent == 1.0f ? (float)NAN : q1_2;
+  const float self_20_new = dependent == 1.0f ? (float)NAN : q2_0;
+  const float self_21_new = dependent == 1.0f ? (float)NAN : q2_1;
+  const float self_22_new = dependent == 1.0f ? (float)NAN : q2_2;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
+     of it, the third its side of both; NaN where rows depend on each other to rounding.
+   R, Ro: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float q0_s_size_0 = fabsf(R->m00);
+  const float q0_s_size_1 = fabsf(R->m01);
+  const float q0_s_size_2 = fabsf(R->m02);
+  const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
+  const float q0_y_0 = R->m00 * q0_s;
+  const float q0_y_1 = R->m01 * q0_s;
+  const float q0_y_2 = R->m02 * q0_s;
+  const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
+  const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
+  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
+  const float q0_enlarged_0 = R->m00 * q0_up;
+  const float q0_enlarged_1 = R->m01 * q0_up;
+  const float q0_enlarged_2 = R->m02 * q0_up;
+  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_0 = q0_quotient_0 * q0_down;
+  const float q0_1 = q0_quotient_1 * q0_down;
+  const float q0_2 = q0_quotient_2 * q0_down;
+  const float u1_s_size_0 = fabsf(R->m10);
+  const float u1_s_size_1 = fabsf(R->m11);
+  const float u1_s_size_2 = fabsf(R->m12);
+  const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
+  const float u1_y_0 = R->m10 * u1_s;
+  const float u1_y_1 = R->m11 * u1_s;
+  const float u1_y_2 = R->m12 * u1_s;
+  const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
+  const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
+  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
+  const float u1_enlarged_0 = R->m10 * u1_up;
+  const float u1_enlarged_1 = R->m11 * u1_up;
+  const float u1_enlarged_2 = R->m12 * u1_up;
+  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_0 = u1_quotient_0 * u1_down;
+  const float u1_1 = u1_quotient_1 * u1_down;
+  const float u1_2 = u1_quotient_2 * u1_down;
+  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float q1_0 = twice_0 / divisor;
+  const float q1_1 = twice_1 / divisor;
+  const float q1_2 = twice_2 / divisor;
+  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float u2_s_size_0 = fabsf(R->m20);
+  const float u2_s_size_1 = fabsf(R->m21);
+  const float u2_s_size_2 = fabsf(R->m22);
+  const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
+  const float u2_y_0 = R->m20 * u2_s;
+  const float u2_y_1 = R->m21 * u2_s;
+  const float u2_y_2 = R->m22 * u2_s;
+  const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
+  const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
+  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
+  const float u2_enlarged_0 = R->m20 * u2_up;
+  const float u2_enlarged_1 = R->m21 * u2_up;
+  const float u2_enlarged_2 = R->m22 * u2_up;
+  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_0 = u2_quotient_0 * u2_down;
+  const float u2_1 = u2_quotient_1 * u2_down;
+  const float u2_2 = u2_quotient_2 * u2_down;
+  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
+  const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
+  const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
+  const float size = fabsf(side);
+  const float less = n < size ? n : size;
+  const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
+  const float Ro_00 = dependent == 1.0f ? (float)NAN : q0_0;
+  const float Ro_01 = dependent == 1.0f ? (float)NAN : q0_1;
+  const float Ro_02 = dependent == 1.0f ? (float)NAN : q0_2;
+  const float Ro_10 = dependent == 1.0f ? (float)NAN : q1_0;
+  const float Ro_11 = dependent == 1.0f ? (float)NAN : q1_1;
+  const float Ro_12 = dependent == 1.0f ? (float)NAN : q1_2;
+  const float Ro_20 = dependent == 1.0f ? (float)NAN : q2_0;
+  const float Ro_21 = dependent == 1.0f ? (float)NAN : q2_1;
+  const float Ro_22 = dependent == 1.0f ? (float)NAN : q2_2;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   12 mul, 10 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
+    const float dc[2]) {
+  const float versine = 1.0f - dc[1];
+  const float versine_axis_0 = axis->x * versine;
+  const float versine_axis_1 = axis->y * versine;
+  const float versine_axis_2 = axis->z * versine;
+  const float m_0 = axis->x * versine_axis_0;
+  const float m_1 = axis->y * versine_axis_1;
+  const float m_2 = axis->z * versine_axis_2;
+  const float m_3 = axis->y * versine_axis_0;
+  const float m_4 = axis->z * versine_axis_0;
+  const float m_5 = axis->z * versine_axis_1;
+  const float sine_axis_0 = axis->x * dc[0];
+  const float sine_axis_1 = axis->y * dc[0];
+  const float sine_axis_2 = axis->z * dc[0];
+  const float R_00 = dc[1] + m_0;
+  const float R_01 = m_3 - sine_axis_2;
+  const float R_02 = m_4 + sine_axis_1;
+  const float R_10 = m_3 + sine_axis_2;
+  const float R_11 = dc[1] + m_1;
+  const float R_12 = m_5 - sine_axis_0;
+  const float R_20 = m_4 - sine_axis_1;
+  const float R_21 = m_5 + sine_axis_0;
+  const float R_22 = dc[1] + m_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
+  const float s_0 = sinf(angles->x);
+  const float s_1 = sinf(angles->y);
+  const float s_2 = sinf(angles->z);
+  const float c_0 = cosf(angles->x);
+  const float c_1 = cosf(angles->y);
+  const float c_2 = cosf(angles->z);
+  const float first_0 = c_1 * c_2;
+  const float first_1a = s_2 * c_1, first_1 = -first_1a;
+  const float first_6a = s_1 * c_2, first_6 = -first_6a;
+  const float first_7 = s_1 * s_2;
+  const float last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
+  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const float last_5a = s_0 * c_1, last_5 = -last_5a;
+  const float last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
+  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const float last_8 = c_0 * c_1;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
+  const float n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float cosine_a = R->m00 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
+  const float sine_a = -R->m01, sine = sine_a / divisor;
+  const float polar = atan2f(sine_a, R->m00);
+  const float third = n == 0.0f ? 0.0f : polar;
+  const float left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
+  const float left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const float angles_0 = atan2f(left_2, left_1);
+  const float angles_1 = atan2f(R->m02, n);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
+  const float s_0 = sinf(angles->x);
+  const float s_1 = sinf(angles->y);
+  const float s_2 = sinf(angles->z);
+  const float c_0 = cosf(angles->x);
+  const float c_1 = cosf(angles->y);
+  const float c_2 = cosf(angles->z);
+  const float first_1 = s_1 * s_2;
+  const float first_2 = s_1 * c_2;
+  const float first_7 = s_2 * c_1;
+  const float first_8 = c_1 * c_2;
+  const float last_3 = s_0 * s_1;
+  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const float last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
+      last_5 = -last_5c;
+  const float last_6a = s_1 * c_0, last_6 = -last_6a;
+  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const float last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
+  const float n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float cosine_a = R->m02 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
+  const float sine = R->m01 / divisor;
+  const float polar = atan2f(R->m01, R->m02);
+  const float third = n == 0.0f ? 0.0f : polar;
+  const float left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
+  const float left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const float angles_0 = atan2f(left_2, left_1);
+  const float angles_1 = atan2f(n, R->m00);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+   A, V: rotation or other 3×3 matrix.
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
+  const float twice = 2.0f * A->m10;
+  const float apart = A->m11 - A->m00;
+  const float divisor = twice == 0.0f ? 1.0f : twice;
+  const float theta = apart / divisor;
+  const float absolute = fabsf(theta);
+  const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
+      size = absolute + size_c;
+  const float along_a = -size, along = theta < 0.0f ? along_a : size;
+  const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
+  const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
+  const float c = 1.0f / secant;
+  const float s = t * c;
+  const float change = A->m10 * t;
+  const float zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const float zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const float vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const float vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const float vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const float vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const float vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const float vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const float A_00_new = A->m11 + change;
+  const float A_22_new = A->m00 - change;
+  const float A_m22 = A->m22;
+  const float V_m02 = V->m02;
+  const float V_m12 = V->m12;
+  const float V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0f;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0f;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
+    ksl_mat3x3f_t *R) {
+  const float half = 0.5f * angle;
+  const float h = sinf(half);
+  const float cosine = cosf(angle);
+  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
+      versine = cosine < 0.0f ? versine_c : versine_b;
+  const float sine = sinf(angle);
+  const float beta_v_0 = axis->x * versine;
+  const float beta_v_1 = axis->y * versine;
+  const float beta_v_2 = axis->z * versine;
+  const float m_0 = axis->x * beta_v_0;
+  const float m_1 = axis->y * beta_v_1;
+  const float m_2 = axis->z * beta_v_2;
+  const float m_3 = axis->y * beta_v_0;
+  const float m_4 = axis->z * beta_v_0;
+  const float m_5 = axis->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = axis->x * sine;
+  const float alpha_v_1 = axis->y * sine;
+  const float alpha_v_2 = axis->z * sine;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
+  const float p_0 = R->m21 - R->m12;
+  const float p_1 = R->m02 - R->m20;
+  const float p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21;
+  const float s_1 = R->m02 + R->m20;
+  const float s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f;
+  const float first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22;
+  const float others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0;
+  const float d_1 = first_0 - others_0;
+  const float d_2 = first_1 + others_1;
+  const float d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_3);
+  const float divisor = v_n == 0.0f ? 1.0f : v_n;
+  const float unit_0 = v_y_0 / divisor;
+  const float unit_1 = v_y_1 / divisor;
+  const float unit_2 = v_y_2 / divisor;
+  const float angle = 2.0f * half;
+  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  return angle;
+}
+
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
@@ -1543,6 +3536,245 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3_invert(ksl_mat3x3_t *R) {
+  return ksl_mat3x3_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3_inverted(
+    const ksl_mat3x3_t *ri, ksl_mat3x3_t *ro) {
+  return ksl_mat3x3_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3 has them. */
+static inline void ksl_mat3x3_getAxisAngle(
+    const ksl_mat3x3_t *r, ksl_vec3_t *axis, double *angle) {
+  *angle = ksl_axis_angle_from_mat3x3(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3_setFromAxisAngle(
+    ksl_mat3x3_t *r, const ksl_vec3_t *axis, const double angle) {
+  ksl_vec3_t unit;
+  ksl_vec3_normalized(axis, &unit);
+  ksl_mat3x3_from_axis_angle(&unit, angle, r);
+}
+
+/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
+   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3_setFromEulerAngles(
+    ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, const ksl_vec3_t *angles) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
+  const ksl_vec3_t turned =
+      ksl_vec3(sign * angles->x, sign * angles->y, sign * angles->z);
+  ksl_mat3x3_t R;
+  if (axes.x < 0) {
+    for (int i = 0; i < 9; i++) { r->as_array[i] = (double)NAN; }
+    return;
+  }
+  if (axes.x == axes.z) {
+    ksl_mat3x3_from_euler_xyx(&turned, &R);
+  } else {
+    ksl_mat3x3_from_euler_xyz(&turned, &R);
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
+  }
+}
+
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
+   sequence, next to those of the reference (ksl_vec3_t *) that follows, zeros for NULL: z from 1/8
+   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
+   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3_getEulerAnglesWithReference(
+    const ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, ksl_vec3_t *angles, ...) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
+  const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
+  ksl_vec3_t near = ksl_vec3(0, 0, 0), found = near;
+  const ksl_vec3_t *reference;
+  ksl_mat3x3_t R;
+  va_list arguments;
+  va_start(arguments, angles);
+  reference = va_arg(arguments, const ksl_vec3_t *);
+  va_end(arguments);
+  if (reference != NULL) { near = *reference; }
+  if (axes.x < 0) {
+    angles->x = angles->y = angles->z = (double)NAN;
+    return;
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { R.at[column][row] = r->at[own[column]][own[row]]; }
+  }
+  if (axes.x == axes.z) {
+    ksl_euler_xyx_from_mat3x3(&R, &found);
+  } else {
+    ksl_euler_xyz_from_mat3x3(&R, &found);
+  }
+  {
+    const double z = sign * found.z, turns = ceil((near.z - eighth - z) / half);
+    const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
+    const double y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
+    const double x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
+    angles->x = x + whole * ceil((near.x - eighth - x) / whole);
+    angles->y = middle + whole * ceil((near.y - eighth - middle) / whole);
+    angles->z = z + half * turns;
+  }
+}
+
+/* The same; the reference may be left out. */
+#define ksl_mat3x3_getEulerAngles(r, ...) \
+  ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const double value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3_swap(&v->v[i], &v->v[j]);
+      ksl_vec3_invert(&v->v[j]);
+    }
+  }
+}
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
+  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3f_inverted(
+    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
+  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+static inline void ksl_mat3x3f_getAxisAngle(
+    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
+  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3f_setFromAxisAngle(
+    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
+  ksl_vec3f_t unit;
+  ksl_vec3f_normalized(axis, &unit);
+  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
+}
+
+/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
+   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3f_setFromEulerAngles(
+    ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, const ksl_vec3f_t *angles) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
+  const ksl_vec3f_t turned =
+      ksl_vec3f(sign * angles->x, sign * angles->y, sign * angles->z);
+  ksl_mat3x3f_t R;
+  if (axes.x < 0) {
+    for (int i = 0; i < 9; i++) { r->as_array[i] = (float)NAN; }
+    return;
+  }
+  if (axes.x == axes.z) {
+    ksl_mat3x3f_from_euler_xyx(&turned, &R);
+  } else {
+    ksl_mat3x3f_from_euler_xyz(&turned, &R);
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
+  }
+}
+
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
+   sequence, next to those of the reference (ksl_vec3f_t *) that follows, zeros for NULL: z from 1/8
+   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
+   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3f_getEulerAnglesWithReference(
+    const ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, ksl_vec3f_t *angles, ...) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
+  const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
+  ksl_vec3f_t near = ksl_vec3f(0, 0, 0), found = near;
+  const ksl_vec3f_t *reference;
+  ksl_mat3x3f_t R;
+  va_list arguments;
+  va_start(arguments, angles);
+  reference = va_arg(arguments, const ksl_vec3f_t *);
+  va_end(arguments);
+  if (reference != NULL) { near = *reference; }
+  if (axes.x < 0) {
+    angles->x = angles->y = angles->z = (float)NAN;
+    return;
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { R.at[column][row] = r->at[own[column]][own[row]]; }
+  }
+  if (axes.x == axes.z) {
+    ksl_euler_xyx_from_mat3x3f(&R, &found);
+  } else {
+    ksl_euler_xyz_from_mat3x3f(&R, &found);
+  }
+  {
+    const float z = sign * found.z, turns = ceilf((near.z - eighth - z) / half);
+    const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
+    const float y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
+    const float x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
+    angles->x = x + whole * ceilf((near.x - eighth - x) / whole);
+    angles->y = middle + whole * ceilf((near.y - eighth - middle) / whole);
+    angles->z = z + half * turns;
+  }
+}
+
+/* The same; the reference may be left out. */
+#define ksl_mat3x3f_getEulerAngles(r, ...) \
+  ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3f_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3f_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const float value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3f_swap(&v->v[i], &v->v[j]);
+      ksl_vec3f_invert(&v->v[j]);
+    }
+  }
+}
 
 #endif
 
@@ -1751,6 +3983,41 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   self->m20 = self_m02;
   self->m21 = self_m12;
   self->m23 = self_23_new;
+}
+
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_SE3_toMat4x4(const ksl_SE3_t *D, ksl_mat4x4_t *M) {
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m03 = D->m03;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m13 = D->m13;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  const double D_m23 = D->m23;
+  M->m00 = D_m00;
+  M->m01 = D_m01;
+  M->m02 = D_m02;
+  M->m03 = D_m03;
+  M->m10 = D_m10;
+  M->m11 = D_m11;
+  M->m12 = D_m12;
+  M->m13 = D_m13;
+  M->m20 = D_m20;
+  M->m21 = D_m21;
+  M->m22 = D_m22;
+  M->m23 = D_m23;
+  M->m30 = 0.0;
+  M->m31 = 0.0;
+  M->m32 = 0.0;
+  M->m33 = 1.0;
 }
 
 /* Do = D^-1 = [R^T | -R^T t].
@@ -1990,6 +4257,41 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   self->m23 = self_23_new;
 }
 
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_SE3f_toMat4x4f(const ksl_SE3f_t *D, ksl_mat4x4f_t *M) {
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m03 = D->m03;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m13 = D->m13;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  const float D_m23 = D->m23;
+  M->m00 = D_m00;
+  M->m01 = D_m01;
+  M->m02 = D_m02;
+  M->m03 = D_m03;
+  M->m10 = D_m10;
+  M->m11 = D_m11;
+  M->m12 = D_m12;
+  M->m13 = D_m13;
+  M->m20 = D_m20;
+  M->m21 = D_m21;
+  M->m22 = D_m22;
+  M->m23 = D_m23;
+  M->m30 = 0.0f;
+  M->m31 = 0.0f;
+  M->m32 = 0.0f;
+  M->m33 = 1.0f;
+}
+
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
@@ -2046,6 +4348,406 @@ static inline ksl_SE3f_t *ksl_SE3f_alloc(int n) {
       n > 0 ? (ksl_SE3f_t *)calloc((size_t)n, sizeof(ksl_SE3f_t)) : NULL;
   for (int i = 0; all && i < n; i++) {
     all[i].m00 = all[i].m11 = all[i].m22 = 1.0f;
+  }
+  return all;
+}
+
+#endif
+
+#endif
+
+/* 4×4 matrices: displacements [[R, t], [0, 1]] and other maps of homogeneous coordinates. */
+#ifndef KSL_MAT4X4_H
+#define KSL_MAT4X4_H
+
+
+/* The mat4x4 of these entries, row by row. */
+static inline ksl_mat4x4_t ksl_mat4x4(const double m00, const double m01, const double m02,
+    const double m03, const double m10, const double m11, const double m12,
+    const double m13, const double m20, const double m21, const double m22,
+    const double m23, const double m30, const double m31, const double m32,
+    const double m33) {
+  ksl_mat4x4_t value;
+  value.m00 = m00;
+  value.m01 = m01;
+  value.m02 = m02;
+  value.m03 = m03;
+  value.m10 = m10;
+  value.m11 = m11;
+  value.m12 = m12;
+  value.m13 = m13;
+  value.m20 = m20;
+  value.m21 = m21;
+  value.m22 = m22;
+  value.m23 = m23;
+  value.m30 = m30;
+  value.m31 = m31;
+  value.m32 = m32;
+  value.m33 = m33;
+  return value;
+}
+
+/* The mat4x4 of these entries, column by column. */
+static inline ksl_mat4x4_t ksl_mat4x4_cmo(const double m00, const double m10, const double m20,
+    const double m30, const double m01, const double m11, const double m21,
+    const double m31, const double m02, const double m12, const double m22,
+    const double m32, const double m03, const double m13, const double m23,
+    const double m33) {
+  ksl_mat4x4_t value;
+  value.m00 = m00;
+  value.m10 = m10;
+  value.m20 = m20;
+  value.m30 = m30;
+  value.m01 = m01;
+  value.m11 = m11;
+  value.m21 = m21;
+  value.m31 = m31;
+  value.m02 = m02;
+  value.m12 = m12;
+  value.m22 = m22;
+  value.m32 = m32;
+  value.m03 = m03;
+  value.m13 = m13;
+  value.m23 = m23;
+  value.m33 = m33;
+  return value;
+}
+
+/* The entry of M at (row, column), for 0 <= row < 4 and 0 <= column < 4; NaN outside. */
+static inline double ksl_mat4x4_get(const ksl_mat4x4_t *M, const int row, const int column) {
+  return row >= 0 && row < 4 && column >= 0 && column < 4 ? M->at[column][row] : (double)NAN;
+}
+
+/* Sets the entry of M at (row, column), for 0 <= row < 4 and 0 <= column < 4; does nothing
+     outside. */
+static inline void ksl_mat4x4_set(ksl_mat4x4_t *M, const int row, const int column,
+    const double value) {
+  if (row >= 0 && row < 4 && column >= 0 && column < 4) {
+    M->at[column][row] = value;
+  }
+}
+
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m.
+   No arithmetic.
+   Exact. */
+static inline ksl_mat4x4_t ksl_mat4x4_fromSE3(const ksl_SE3_t D) {
+  ksl_mat4x4_t M;
+  M.m00 = D.m00;
+  M.m01 = D.m01;
+  M.m02 = D.m02;
+  M.m03 = D.m03;
+  M.m10 = D.m10;
+  M.m11 = D.m11;
+  M.m12 = D.m12;
+  M.m13 = D.m13;
+  M.m20 = D.m20;
+  M.m21 = D.m21;
+  M.m22 = D.m22;
+  M.m23 = D.m23;
+  M.m30 = 0.0;
+  M.m31 = 0.0;
+  M.m32 = 0.0;
+  M.m33 = 1.0;
+  return M;
+}
+
+/* M = [[R, t], [0, 1]].
+   R: rotation or other 3×3 matrix; t: vector.
+   No arithmetic.
+   Exact. */
+static inline ksl_mat4x4_t ksl_mat4x4_fromRt(const ksl_mat3x3_t R, const ksl_vec3_t t) {
+  ksl_mat4x4_t M;
+  M.m00 = R.m00;
+  M.m01 = R.m01;
+  M.m02 = R.m02;
+  M.m03 = t.x;
+  M.m10 = R.m10;
+  M.m11 = R.m11;
+  M.m12 = R.m12;
+  M.m13 = t.y;
+  M.m20 = R.m20;
+  M.m21 = R.m21;
+  M.m22 = R.m22;
+  M.m23 = t.z;
+  M.m30 = 0.0;
+  M.m31 = 0.0;
+  M.m32 = 0.0;
+  M.m33 = 1.0;
+  return M;
+}
+
+/* D = [R | t], the first three rows of M.
+   M: 4×4 matrix; D: displacement [R | t], R rotation, t in m.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4_toSE3(const ksl_mat4x4_t *M, ksl_SE3_t *D) {
+  const double M_m00 = M->m00;
+  const double M_m01 = M->m01;
+  const double M_m02 = M->m02;
+  const double M_m03 = M->m03;
+  const double M_m10 = M->m10;
+  const double M_m11 = M->m11;
+  const double M_m12 = M->m12;
+  const double M_m13 = M->m13;
+  const double M_m20 = M->m20;
+  const double M_m21 = M->m21;
+  const double M_m22 = M->m22;
+  const double M_m23 = M->m23;
+  D->m00 = M_m00;
+  D->m01 = M_m01;
+  D->m02 = M_m02;
+  D->m03 = M_m03;
+  D->m10 = M_m10;
+  D->m11 = M_m11;
+  D->m12 = M_m12;
+  D->m13 = M_m13;
+  D->m20 = M_m20;
+  D->m21 = M_m21;
+  D->m22 = M_m22;
+  D->m23 = M_m23;
+}
+
+/* self = I.
+   self: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4_setIdentity(ksl_mat4x4_t *self) {
+  self->m00 = 1.0;
+  self->m01 = 0.0;
+  self->m02 = 0.0;
+  self->m03 = 0.0;
+  self->m10 = 0.0;
+  self->m11 = 1.0;
+  self->m12 = 0.0;
+  self->m13 = 0.0;
+  self->m20 = 0.0;
+  self->m21 = 0.0;
+  self->m22 = 1.0;
+  self->m23 = 0.0;
+  self->m30 = 0.0;
+  self->m31 = 0.0;
+  self->m32 = 0.0;
+  self->m33 = 1.0;
+}
+
+/* t, the first three entries of the last column of M.
+   M: 4×4 matrix; t: vector.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4_getTranslation(const ksl_mat4x4_t *M, ksl_vec3_t *t) {
+  const double M_m03 = M->m03;
+  const double M_m13 = M->m13;
+  const double M_m23 = M->m23;
+  t->x = M_m03;
+  t->y = M_m13;
+  t->z = M_m23;
+}
+
+/* The mat4x4 of these entries, row by row. */
+static inline ksl_mat4x4f_t ksl_mat4x4f(const float m00, const float m01, const float m02,
+    const float m03, const float m10, const float m11, const float m12,
+    const float m13, const float m20, const float m21, const float m22,
+    const float m23, const float m30, const float m31, const float m32,
+    const float m33) {
+  ksl_mat4x4f_t value;
+  value.m00 = m00;
+  value.m01 = m01;
+  value.m02 = m02;
+  value.m03 = m03;
+  value.m10 = m10;
+  value.m11 = m11;
+  value.m12 = m12;
+  value.m13 = m13;
+  value.m20 = m20;
+  value.m21 = m21;
+  value.m22 = m22;
+  value.m23 = m23;
+  value.m30 = m30;
+  value.m31 = m31;
+  value.m32 = m32;
+  value.m33 = m33;
+  return value;
+}
+
+/* The mat4x4 of these entries, column by column. */
+static inline ksl_mat4x4f_t ksl_mat4x4f_cmo(const float m00, const float m10, const float m20,
+    const float m30, const float m01, const float m11, const float m21,
+    const float m31, const float m02, const float m12, const float m22,
+    const float m32, const float m03, const float m13, const float m23,
+    const float m33) {
+  ksl_mat4x4f_t value;
+  value.m00 = m00;
+  value.m10 = m10;
+  value.m20 = m20;
+  value.m30 = m30;
+  value.m01 = m01;
+  value.m11 = m11;
+  value.m21 = m21;
+  value.m31 = m31;
+  value.m02 = m02;
+  value.m12 = m12;
+  value.m22 = m22;
+  value.m32 = m32;
+  value.m03 = m03;
+  value.m13 = m13;
+  value.m23 = m23;
+  value.m33 = m33;
+  return value;
+}
+
+/* The entry of M at (row, column), for 0 <= row < 4 and 0 <= column < 4; NaN outside. */
+static inline float ksl_mat4x4f_get(const ksl_mat4x4f_t *M, const int row, const int column) {
+  return row >= 0 && row < 4 && column >= 0 && column < 4 ? M->at[column][row] : (float)NAN;
+}
+
+/* Sets the entry of M at (row, column), for 0 <= row < 4 and 0 <= column < 4; does nothing
+     outside. */
+static inline void ksl_mat4x4f_set(ksl_mat4x4f_t *M, const int row, const int column,
+    const float value) {
+  if (row >= 0 && row < 4 && column >= 0 && column < 4) {
+    M->at[column][row] = value;
+  }
+}
+
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m.
+   No arithmetic.
+   Exact. */
+static inline ksl_mat4x4f_t ksl_mat4x4f_fromSE3f(const ksl_SE3f_t D) {
+  ksl_mat4x4f_t M;
+  M.m00 = D.m00;
+  M.m01 = D.m01;
+  M.m02 = D.m02;
+  M.m03 = D.m03;
+  M.m10 = D.m10;
+  M.m11 = D.m11;
+  M.m12 = D.m12;
+  M.m13 = D.m13;
+  M.m20 = D.m20;
+  M.m21 = D.m21;
+  M.m22 = D.m22;
+  M.m23 = D.m23;
+  M.m30 = 0.0f;
+  M.m31 = 0.0f;
+  M.m32 = 0.0f;
+  M.m33 = 1.0f;
+  return M;
+}
+
+/* M = [[R, t], [0, 1]].
+   R: rotation or other 3×3 matrix; t: vector.
+   No arithmetic.
+   Exact. */
+static inline ksl_mat4x4f_t ksl_mat4x4f_fromRt(const ksl_mat3x3f_t R, const ksl_vec3f_t t) {
+  ksl_mat4x4f_t M;
+  M.m00 = R.m00;
+  M.m01 = R.m01;
+  M.m02 = R.m02;
+  M.m03 = t.x;
+  M.m10 = R.m10;
+  M.m11 = R.m11;
+  M.m12 = R.m12;
+  M.m13 = t.y;
+  M.m20 = R.m20;
+  M.m21 = R.m21;
+  M.m22 = R.m22;
+  M.m23 = t.z;
+  M.m30 = 0.0f;
+  M.m31 = 0.0f;
+  M.m32 = 0.0f;
+  M.m33 = 1.0f;
+  return M;
+}
+
+/* D = [R | t], the first three rows of M.
+   M: 4×4 matrix; D: displacement [R | t], R rotation, t in m.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4f_toSE3f(const ksl_mat4x4f_t *M, ksl_SE3f_t *D) {
+  const float M_m00 = M->m00;
+  const float M_m01 = M->m01;
+  const float M_m02 = M->m02;
+  const float M_m03 = M->m03;
+  const float M_m10 = M->m10;
+  const float M_m11 = M->m11;
+  const float M_m12 = M->m12;
+  const float M_m13 = M->m13;
+  const float M_m20 = M->m20;
+  const float M_m21 = M->m21;
+  const float M_m22 = M->m22;
+  const float M_m23 = M->m23;
+  D->m00 = M_m00;
+  D->m01 = M_m01;
+  D->m02 = M_m02;
+  D->m03 = M_m03;
+  D->m10 = M_m10;
+  D->m11 = M_m11;
+  D->m12 = M_m12;
+  D->m13 = M_m13;
+  D->m20 = M_m20;
+  D->m21 = M_m21;
+  D->m22 = M_m22;
+  D->m23 = M_m23;
+}
+
+/* self = I.
+   self: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4f_setIdentity(ksl_mat4x4f_t *self) {
+  self->m00 = 1.0f;
+  self->m01 = 0.0f;
+  self->m02 = 0.0f;
+  self->m03 = 0.0f;
+  self->m10 = 0.0f;
+  self->m11 = 1.0f;
+  self->m12 = 0.0f;
+  self->m13 = 0.0f;
+  self->m20 = 0.0f;
+  self->m21 = 0.0f;
+  self->m22 = 1.0f;
+  self->m23 = 0.0f;
+  self->m30 = 0.0f;
+  self->m31 = 0.0f;
+  self->m32 = 0.0f;
+  self->m33 = 1.0f;
+}
+
+/* t, the first three entries of the last column of M.
+   M: 4×4 matrix; t: vector.
+   No arithmetic.
+   Exact. */
+static inline void ksl_mat4x4f_getTranslation(const ksl_mat4x4f_t *M, ksl_vec3f_t *t) {
+  const float M_m03 = M->m03;
+  const float M_m13 = M->m13;
+  const float M_m23 = M->m23;
+  t->x = M_m03;
+  t->y = M_m13;
+  t->z = M_m23;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_mat4x4_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
+static inline ksl_mat4x4_t *ksl_mat4x4_alloc(int n) {
+  ksl_mat4x4_t *const all =
+      n > 0 ? (ksl_mat4x4_t *)calloc((size_t)n, sizeof(ksl_mat4x4_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = all[i].m33 = 1.0;
+  }
+  return all;
+}
+
+/* n ksl_mat4x4f_t on the heap, identities, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
+static inline ksl_mat4x4f_t *ksl_mat4x4f_alloc(int n) {
+  ksl_mat4x4f_t *const all =
+      n > 0 ? (ksl_mat4x4f_t *)calloc((size_t)n, sizeof(ksl_mat4x4f_t)) : NULL;
+  for (int i = 0; all && i < n; i++) {
+    all[i].m00 = all[i].m11 = all[i].m22 = all[i].m33 = 1.0f;
   }
   return all;
 }
@@ -4866,6 +7568,41 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
   dc[1] = dc_1;
 }
 
+/* What KSL declares beside formulas. */
+
+
+/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline double ksl_normalizeDegrees(double angle) {
+  const double turn = 360.0, rest = fmod(angle, turn), above = rest + turn;
+  const double zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline double ksl_normalizeRadians(double angle) {
+  const double turn = 6.283185307179586, rest = fmod(angle, turn), above = rest + turn;
+  const double zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline float ksl_normalizeDegreesf(float angle) {
+  const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
+  const float zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline float ksl_normalizeRadiansf(float angle) {
+  const float turn = 6.2831855f, rest = fmodf(angle, turn), above = rest + turn;
+  const float zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
 #endif
 
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω). */
@@ -5079,7 +7816,7 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -5093,21 +7830,23 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -5121,7 +7860,8 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -5158,7 +7898,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -5172,7 +7912,8 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -5906,6 +8647,52 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -6168,7 +8955,7 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -6182,20 +8969,22 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -6209,7 +8998,8 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -6246,7 +9036,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -6260,7 +9050,8 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -6993,6 +9784,52 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
   so->m5 = 0.0f;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float so_3 = -a_0;
+  const float so_4 = -a_1;
+  const float so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -7064,6 +9901,94 @@ static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_copy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_ncopy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_copy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_ncopy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_copy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_ncopy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_copy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_ncopy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* ksl_hsrxinvf, as KSL spells it, too. */
+static inline void ksl_hrxinvf(const ksl_SE3f_t *Di, ksl_screwf_t *ho) {
+  ksl_hsrxinvf(Di, ho);
+}
 
 #endif
 
@@ -7279,7 +10204,7 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -7293,21 +10218,23 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
@@ -7321,7 +10248,8 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -7358,7 +10286,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -7372,7 +10300,8 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -8619,7 +11548,7 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -8633,20 +11562,22 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -8660,7 +11591,8 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -8697,7 +11629,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -8711,7 +11643,8 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -9827,7 +12760,7 @@ static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quat
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -9837,7 +12770,8 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -9845,14 +12779,15 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -9862,7 +12797,8 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -9892,7 +12828,7 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -9902,7 +12838,8 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -10049,7 +12986,8 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -10096,7 +13034,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -10144,7 +13082,7 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
@@ -10162,27 +13100,43 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -10199,18 +13153,51 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
   const double h_1 = 0.5 * v->y;
   const double h_2 = 0.5 * v->z;
-  const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const double size = sqrt(x);
-  const double cosine_a = cos(size), cosine = x < 1.0 ? 1.0 : cosine_a;
-  const double sine_a = sin(size), sine = x < 1.0 ? 1.0 : sine_a;
-  const double divisor = x < 1.0 ? 2.0 : size;
-  const double far_k = sine / divisor;
+  const double size_0 = fabs(h_0);
+  const double size_1 = fabs(h_1);
+  const double size_2 = fabs(h_2);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = h_0 + grid;
+  const double shifted_1 = h_1 + grid;
+  const double shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0;
+  const double low_1 = h_1 - high_1;
+  const double low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0;
+  const double sum_1 = h_1 + high_1;
+  const double sum_2 = h_2 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_k = sine / theta;
   const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
       k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
       k_g = x * k_f, k_h = k_g + 2.8114572543455206e-15, k_i = x * k_h,
@@ -10240,27 +13227,43 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -10276,9 +13279,10 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
   const double between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
@@ -10304,14 +13308,16 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -10322,13 +13328,47 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double step_0 = rate * kv_0;
   const double step_1 = rate * kv_1;
   const double step_2 = rate * kv_2;
-  const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const double exp_size = sqrt(exp_x);
-  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 1.0 ? 1.0 : exp_cosine_a;
-  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 1.0 ? 1.0 : exp_sine_a;
-  const double exp_divisor = exp_x < 1.0 ? 2.0 : exp_size;
-  const double exp_far_k = exp_sine / exp_divisor;
+  const double exp_size_0 = fabs(step_0);
+  const double exp_size_1 = fabs(step_1);
+  const double exp_size_2 = fabs(step_2);
+  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_grid = exp_sizes * 268435456.0;
+  const double exp_shifted_0 = step_0 + exp_grid;
+  const double exp_shifted_1 = step_1 + exp_grid;
+  const double exp_shifted_2 = step_2 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid;
+  const double exp_high_1 = exp_shifted_1 - exp_grid;
+  const double exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = step_0 - exp_high_0;
+  const double exp_low_1 = step_1 - exp_high_1;
+  const double exp_low_2 = step_2 - exp_high_2;
+  const double exp_sum_0 = step_0 + exp_high_0;
+  const double exp_sum_1 = step_1 + exp_high_1;
+  const double exp_sum_2 = step_2 + exp_high_2;
+  const double exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const double exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_x = exp_squares + exp_cross;
+  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
+  const double exp_theta_shifted = exp_grid + exp_theta;
+  const double exp_theta_high = exp_theta_shifted - exp_grid;
+  const double exp_theta_low = exp_theta - exp_theta_high;
+  const double exp_theta_sum = exp_theta + exp_theta_high;
+  const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const double exp_residual = exp_cross_rest + exp_exact;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine_a = cos(exp_theta),
+      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
+  const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_far_k = exp_sine / exp_theta;
   const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
       exp_k_e = exp_x * exp_k_d, exp_k_f = exp_k_e - 8.22063524662433e-18,
@@ -10441,7 +13481,7 @@ static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_qu
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -10451,21 +13491,23 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
   const float y_3 = q->w * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -10475,7 +13517,8 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -10505,7 +13548,7 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -10515,7 +13558,8 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
@@ -10663,7 +13707,8 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
   const float squares_1 = q->x * q->x;
@@ -10710,7 +13755,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -10758,7 +13803,7 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
@@ -10776,26 +13821,42 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
@@ -10812,18 +13873,51 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
   const float h_1 = 0.5f * v->y;
   const float h_2 = 0.5f * v->z;
-  const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const float size = sqrtf(x);
-  const float cosine_a = cosf(size), cosine = x < 1.0f ? 1.0f : cosine_a;
-  const float sine_a = sinf(size), sine = x < 1.0f ? 1.0f : sine_a;
-  const float divisor = x < 1.0f ? 2.0f : size;
-  const float far_k = sine / divisor;
+  const float size_0 = fabsf(h_0);
+  const float size_1 = fabsf(h_1);
+  const float size_2 = fabsf(h_2);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = h_0 + grid;
+  const float shifted_1 = h_1 + grid;
+  const float shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0;
+  const float low_1 = h_1 - high_1;
+  const float low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0;
+  const float sum_1 = h_1 + high_1;
+  const float sum_2 = h_2 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_k = sine / theta;
   const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
       k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
       k_h = k_g + 2.8114574e-15f, k_i = x * k_h, k_j = k_i - 7.6471636e-13f, k_k = x * k_j,
@@ -10851,26 +13945,42 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -10886,9 +13996,10 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
   const float between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
@@ -10914,13 +14025,15 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -10931,13 +14044,48 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float step_0 = rate * kv_0;
   const float step_1 = rate * kv_1;
   const float step_2 = rate * kv_2;
-  const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const float exp_size = sqrtf(exp_x);
-  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 1.0f ? 1.0f : exp_cosine_a;
-  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 1.0f ? 1.0f : exp_sine_a;
-  const float exp_divisor = exp_x < 1.0f ? 2.0f : exp_size;
-  const float exp_far_k = exp_sine / exp_divisor;
+  const float exp_size_0 = fabsf(step_0);
+  const float exp_size_1 = fabsf(step_1);
+  const float exp_size_2 = fabsf(step_2);
+  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_grid = exp_sizes * 8192.0f;
+  const float exp_shifted_0 = step_0 + exp_grid;
+  const float exp_shifted_1 = step_1 + exp_grid;
+  const float exp_shifted_2 = step_2 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid;
+  const float exp_high_1 = exp_shifted_1 - exp_grid;
+  const float exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = step_0 - exp_high_0;
+  const float exp_low_1 = step_1 - exp_high_1;
+  const float exp_low_2 = step_2 - exp_high_2;
+  const float exp_sum_0 = step_0 + exp_high_0;
+  const float exp_sum_1 = step_1 + exp_high_1;
+  const float exp_sum_2 = step_2 + exp_high_2;
+  const float exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const float exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_x = exp_squares + exp_cross;
+  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
+  const float exp_theta_shifted = exp_grid + exp_theta;
+  const float exp_theta_high = exp_theta_shifted - exp_grid;
+  const float exp_theta_low = exp_theta - exp_theta_high;
+  const float exp_theta_sum = exp_theta + exp_theta_high;
+  const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const float exp_residual = exp_cross_rest + exp_exact;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine_a = cosf(exp_theta),
+      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
+  const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_far_k = exp_sine / exp_theta;
   const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
       exp_k_f = exp_k_e - 8.220635e-18f, exp_k_g = exp_x * exp_k_f,
@@ -11016,15 +14164,21 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -11038,14 +14192,15 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11112,8 +14267,8 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -11151,14 +14306,16 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -11174,15 +14331,21 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -11196,14 +14359,15 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11281,15 +14445,21 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -11303,14 +14473,15 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11389,15 +14560,20 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -11411,14 +14587,15 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11484,15 +14661,20 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -11506,14 +14688,15 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11574,116 +14757,6 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   R->m20 = R_20;
   R->m21 = R_21;
   R->m22 = diagonal2;
-}
-
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
-   axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
-static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
-    ksl_mat3x3_t *R) {
-  const double half = 0.5 * angle;
-  const double h = sin(half);
-  const double cosine = cos(angle);
-  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
-      versine = cosine < 0.0 ? versine_c : versine_b;
-  const double sine = sin(angle);
-  const double beta_v_0 = axis->x * versine;
-  const double beta_v_1 = axis->y * versine;
-  const double beta_v_2 = axis->z * versine;
-  const double m_0 = axis->x * beta_v_0;
-  const double m_1 = axis->y * beta_v_1;
-  const double m_2 = axis->z * beta_v_2;
-  const double m_3 = axis->y * beta_v_0;
-  const double m_4 = axis->z * beta_v_0;
-  const double m_5 = axis->z * beta_v_1;
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = axis->x * sine;
-  const double alpha_v_1 = axis->y * sine;
-  const double alpha_v_2 = axis->z * sine;
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
-  R->m00 = R_00;
-  R->m01 = R_01;
-  R->m02 = R_02;
-  R->m10 = R_10;
-  R->m11 = R_11;
-  R->m12 = R_12;
-  R->m20 = R_20;
-  R->m21 = R_21;
-  R->m22 = R_22;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
-  const double half = atan2(n, upper_3);
-  const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
-  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
-  axis->x = axis_0;
-  axis->y = unit_1;
-  axis->z = unit_2;
-  return angle;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -11824,15 +14897,21 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
-   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
+   Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -11846,14 +14925,15 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -11953,8 +15033,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
+   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -11992,14 +15072,16 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -12056,15 +15138,20 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -12078,14 +15165,15 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -12267,15 +15355,20 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -12289,14 +15382,15 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -12478,15 +15572,20 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -12500,14 +15599,15 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -12665,15 +15765,20 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -12687,14 +15792,15 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -12852,9 +15958,10 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
+   Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -12936,7 +16043,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      log_v_s = log_v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : log_v_s_b;
+      log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
+      log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
   const double log_v_y_0 = log_upper_0 * log_v_s;
   const double log_v_y_1 = log_upper_1 * log_v_s;
   const double log_v_y_2 = log_upper_2 * log_v_s;
@@ -12944,7 +16052,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
   const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      log_v_r = 1.0 < log_v_s ? 2.409919865102884e-181 : log_v_r_b;
+      log_v_r_d = 1.0 < log_v_s ? 7.637340908749012e-152 : log_v_r_b,
+      log_v_r = 1.3093562431584567e+151 < log_v_s ? 9.332636185032189e-302 : log_v_r_d;
   const double log_n = log_v_n * log_v_r;
   const double log_half = atan2(log_n, log_upper_3);
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
@@ -13008,12 +16117,17 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double screw_3 = k * log_vector_0;
   const double screw_4 = k * log_vector_1;
   const double screw_5 = k * log_vector_2;
-  const double exp_shifted_0 = screw_3 + 1610612736.0;
-  const double exp_shifted_1 = screw_4 + 1610612736.0;
-  const double exp_shifted_2 = screw_5 + 1610612736.0;
-  const double exp_high_0 = exp_shifted_0 - 1610612736.0;
-  const double exp_high_1 = exp_shifted_1 - 1610612736.0;
-  const double exp_high_2 = exp_shifted_2 - 1610612736.0;
+  const double exp_size_0 = fabs(screw_3);
+  const double exp_size_1 = fabs(screw_4);
+  const double exp_size_2 = fabs(screw_5);
+  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_grid = exp_sizes * 268435456.0;
+  const double exp_shifted_0 = screw_3 + exp_grid;
+  const double exp_shifted_1 = screw_4 + exp_grid;
+  const double exp_shifted_2 = screw_5 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid;
+  const double exp_high_1 = exp_shifted_1 - exp_grid;
+  const double exp_high_2 = exp_shifted_2 - exp_grid;
   const double exp_low_0 = screw_3 - exp_high_0;
   const double exp_low_1 = screw_4 - exp_high_1;
   const double exp_low_2 = screw_5 - exp_high_2;
@@ -13028,15 +16142,16 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_cross = exp_cross_c + exp_cross_d;
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
-  const double exp_theta_shifted = exp_theta + 1610612736.0;
-  const double exp_theta_high = exp_theta_shifted - 1610612736.0;
+  const double exp_theta_shifted = exp_grid + exp_theta;
+  const double exp_theta_high = exp_theta_shifted - exp_grid;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
   const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
   const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
       exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
@@ -13177,15 +16292,21 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -13199,14 +16320,15 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -13270,8 +16392,8 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -13309,13 +16431,15 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -13331,15 +16455,21 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -13353,14 +16483,15 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -13433,15 +16564,21 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -13455,14 +16592,15 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -13536,15 +16674,20 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -13558,14 +16701,15 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -13629,15 +16773,20 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -13651,14 +16800,15 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -13717,115 +16867,6 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   R->m20 = R_20;
   R->m21 = R_21;
   R->m22 = diagonal2;
-}
-
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
-   axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
-static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
-    ksl_mat3x3f_t *R) {
-  const float half = 0.5f * angle;
-  const float h = sinf(half);
-  const float cosine = cosf(angle);
-  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
-      versine = cosine < 0.0f ? versine_c : versine_b;
-  const float sine = sinf(angle);
-  const float beta_v_0 = axis->x * versine;
-  const float beta_v_1 = axis->y * versine;
-  const float beta_v_2 = axis->z * versine;
-  const float m_0 = axis->x * beta_v_0;
-  const float m_1 = axis->y * beta_v_1;
-  const float m_2 = axis->z * beta_v_2;
-  const float m_3 = axis->y * beta_v_0;
-  const float m_4 = axis->z * beta_v_0;
-  const float m_5 = axis->z * beta_v_1;
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = axis->x * sine;
-  const float alpha_v_1 = axis->y * sine;
-  const float alpha_v_2 = axis->z * sine;
-  const float R_00 = 1.0f - others_0;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
-  R->m00 = R_00;
-  R->m01 = R_01;
-  R->m02 = R_02;
-  R->m10 = R_10;
-  R->m11 = R_11;
-  R->m12 = R_12;
-  R->m20 = R_20;
-  R->m21 = R_21;
-  R->m22 = R_22;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
-  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
-  const float half = atan2f(n, upper_3);
-  const float divisor = v_n == 0.0f ? 1.0f : v_n;
-  const float unit_0 = v_y_0 / divisor;
-  const float unit_1 = v_y_1 / divisor;
-  const float unit_2 = v_y_2 / divisor;
-  const float angle = 2.0f * half;
-  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
-  axis->x = axis_0;
-  axis->y = unit_1;
-  axis->z = unit_2;
-  return angle;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -13966,15 +17007,21 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
-   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
+   Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -13988,14 +17035,15 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -14090,8 +17138,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
+   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -14129,13 +17177,15 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -14190,15 +17240,20 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -14212,14 +17267,15 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -14390,15 +17446,20 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -14412,14 +17473,15 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -14590,15 +17652,20 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -14612,14 +17679,15 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -14775,15 +17843,20 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -14797,14 +17870,15 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -14960,9 +18034,10 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
+   Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;
@@ -15044,7 +18119,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      log_v_s = log_v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : log_v_s_b;
+      log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
+      log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;
   const float log_v_y_0 = log_upper_0 * log_v_s;
   const float log_v_y_1 = log_upper_1 * log_v_s;
   const float log_v_y_2 = log_upper_2 * log_v_s;
@@ -15052,7 +18128,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrtf(log_v_n_e);
   const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
-      log_v_r = 1.0f < log_v_s ? 7.888609e-31f : log_v_r_b;
+      log_v_r_d = 1.0f < log_v_s ? 5.551115e-17f : log_v_r_b,
+      log_v_r = 1.8014399e+16f < log_v_s ? 3.081488e-33f : log_v_r_d;
   const float log_n = log_v_n * log_v_r;
   const float log_half = atan2f(log_n, log_upper_3);
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
@@ -15115,12 +18192,17 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float screw_3 = k * log_vector_0;
   const float screw_4 = k * log_vector_1;
   const float screw_5 = k * log_vector_2;
-  const float exp_shifted_0 = screw_3 + 49152.0f;
-  const float exp_shifted_1 = screw_4 + 49152.0f;
-  const float exp_shifted_2 = screw_5 + 49152.0f;
-  const float exp_high_0 = exp_shifted_0 - 49152.0f;
-  const float exp_high_1 = exp_shifted_1 - 49152.0f;
-  const float exp_high_2 = exp_shifted_2 - 49152.0f;
+  const float exp_size_0 = fabsf(screw_3);
+  const float exp_size_1 = fabsf(screw_4);
+  const float exp_size_2 = fabsf(screw_5);
+  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_grid = exp_sizes * 8192.0f;
+  const float exp_shifted_0 = screw_3 + exp_grid;
+  const float exp_shifted_1 = screw_4 + exp_grid;
+  const float exp_shifted_2 = screw_5 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid;
+  const float exp_high_1 = exp_shifted_1 - exp_grid;
+  const float exp_high_2 = exp_shifted_2 - exp_grid;
   const float exp_low_0 = screw_3 - exp_high_0;
   const float exp_low_1 = screw_4 - exp_high_1;
   const float exp_low_2 = screw_5 - exp_high_2;
@@ -15135,15 +18217,17 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_cross = exp_cross_c + exp_cross_d;
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
-  const float exp_theta_shifted = exp_theta + 49152.0f;
-  const float exp_theta_high = exp_theta_shifted - 49152.0f;
+  const float exp_theta_shifted = exp_grid + exp_theta;
+  const float exp_theta_high = exp_theta_shifted - exp_grid;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
   const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
   const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
       exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;

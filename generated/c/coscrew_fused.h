@@ -59,6 +59,33 @@ typedef union ksl_vec3f_t {
   KSL_VIEW { float x, y, z; };
 } ksl_vec3f_t;
 
+/* vector (x, y, z); integer precision. */
+typedef union ksl_vec3i_t {
+  KSL_VIEW { int at[3]; };
+  KSL_VIEW { int x, y, z; };
+} ksl_vec3i_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; double precision. */
+typedef union ksl_vec4_t {
+  KSL_VIEW { double at[4]; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
+} ksl_vec4_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; single precision. */
+typedef union ksl_vec4f_t {
+  KSL_VIEW { float at[4]; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
+} ksl_vec4f_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; integer precision. */
+typedef union ksl_vec4i_t {
+  KSL_VIEW { int at[4]; };
+  KSL_VIEW { int x, y, z, w; };
+  KSL_VIEW { ksl_vec3i_t r; };
+} ksl_vec4i_t;
+
 /* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; double precision. */
 typedef union ksl_mat3x3_t {
   KSL_VIEW { double as_array[9]; };
@@ -84,6 +111,34 @@ typedef union ksl_mat3x3f_t {
   KSL_VIEW { ksl_vec3f_t v0, v1, v2; };
   KSL_VIEW { ksl_vec3f_t v[3]; };
 } ksl_mat3x3f_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; double precision. */
+typedef union ksl_mat4x4_t {
+  KSL_VIEW { double as_array[16]; };
+  KSL_VIEW { double at[4][4]; };
+  KSL_VIEW {
+    double m00, m10, m20, m30;
+    double m01, m11, m21, m31;
+    double m02, m12, m22, m32;
+    double m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4_t v[4]; };
+} ksl_mat4x4_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; single precision. */
+typedef union ksl_mat4x4f_t {
+  KSL_VIEW { float as_array[16]; };
+  KSL_VIEW { float at[4][4]; };
+  KSL_VIEW {
+    float m00, m10, m20, m30;
+    float m01, m11, m21, m31;
+    float m02, m12, m22, m32;
+    float m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4f_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4f_t v[4]; };
+} ksl_mat4x4f_t;
 
 /* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; double precision. */
 typedef union ksl_SE3_t {
@@ -194,6 +249,24 @@ typedef union ksl_inertiaf_t {
     float xx, yy, zz, xy, xz, yz;
   };
 } ksl_inertiaf_t;
+
+/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
+   of the body as the turns before have left it. */
+typedef enum ksl_axis_enum_t {
+  KSL_AXIS_XYZ,
+  KSL_AXIS_YZX,
+  KSL_AXIS_ZXY,
+  KSL_AXIS_XZY,
+  KSL_AXIS_YXZ,
+  KSL_AXIS_ZYX,
+  KSL_AXIS_XYX,
+  KSL_AXIS_XZX,
+  KSL_AXIS_YXY,
+  KSL_AXIS_YZY,
+  KSL_AXIS_ZXZ,
+  KSL_AXIS_ZYZ,
+  KSL_AXIS_INVALID
+} ksl_axis_enum_t;
 
 #endif
 
@@ -679,6 +752,74 @@ static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ks
 
 #endif
 
+/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
+   Fused tier: products fused into sums. */
+#ifndef KSL_VEC4_FUSED_H
+#define KSL_VEC4_FUSED_H
+
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scale_fused(ksl_vec4_t *self, const double a) {
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scaled_fused(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  const double vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scale_fused(ksl_vec4f_t *self, const float a) {
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scaled_fused(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
+  const float vo_0 = v->x * k;
+  const float vo_1 = v->y * k;
+  const float vo_2 = v->z * k;
+  const float vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+#endif
+
 /* 3×3 matrices: rotations, and matrices in general.
    Fused tier: products fused into sums. */
 #ifndef KSL_MAT3X3_FUSED_H
@@ -698,6 +839,43 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
   return det;
 }
 
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   9 mul, 7 add, 3 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
+    const double dc[2]) {
+  const double versine = 1.0 - dc[1];
+  const double versine_axis_0 = axis->x * versine;
+  const double versine_axis_1 = axis->y * versine;
+  const double versine_axis_2 = axis->z * versine;
+  const double m_3 = axis->y * versine_axis_0;
+  const double m_4 = axis->z * versine_axis_0;
+  const double m_5 = axis->z * versine_axis_1;
+  const double sine_axis_0 = axis->x * dc[0];
+  const double sine_axis_1 = axis->y * dc[0];
+  const double sine_axis_2 = axis->z * dc[0];
+  const double R_00 = fma(axis->x, versine_axis_0, dc[1]);
+  const double R_01 = m_3 - sine_axis_2;
+  const double R_02 = m_4 + sine_axis_1;
+  const double R_10 = m_3 + sine_axis_2;
+  const double R_11 = fma(axis->y, versine_axis_1, dc[1]);
+  const double R_12 = m_5 - sine_axis_0;
+  const double R_20 = m_4 - sine_axis_1;
+  const double R_21 = m_5 + sine_axis_0;
+  const double R_22 = fma(axis->z, versine_axis_2, dc[1]);
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
 /* det R.
    R: rotation or other 3×3 matrix.
    4 mul, 5 fma.
@@ -710,6 +888,43 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
   const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
       det = fmaf(R->m20, n_2, det_c);
   return det;
+}
+
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   9 mul, 7 add, 3 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
+    const float dc[2]) {
+  const float versine = 1.0f - dc[1];
+  const float versine_axis_0 = axis->x * versine;
+  const float versine_axis_1 = axis->y * versine;
+  const float versine_axis_2 = axis->z * versine;
+  const float m_3 = axis->y * versine_axis_0;
+  const float m_4 = axis->z * versine_axis_0;
+  const float m_5 = axis->z * versine_axis_1;
+  const float sine_axis_0 = axis->x * dc[0];
+  const float sine_axis_1 = axis->y * dc[0];
+  const float sine_axis_2 = axis->z * dc[0];
+  const float R_00 = fmaf(axis->x, versine_axis_0, dc[1]);
+  const float R_01 = m_3 - sine_axis_2;
+  const float R_02 = m_4 + sine_axis_1;
+  const float R_10 = m_3 + sine_axis_2;
+  const float R_11 = fmaf(axis->y, versine_axis_1, dc[1]);
+  const float R_12 = m_5 - sine_axis_0;
+  const float R_20 = m_4 - sine_axis_1;
+  const float R_21 = m_5 + sine_axis_0;
+  const float R_22 = fmaf(axis->z, versine_axis_2, dc[1]);
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
 }
 
 #endif
@@ -3889,6 +4104,52 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   6 mul, 9 fma, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+      a_0 = fma(D->m02, axis->z, a_0c);
+  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+      a_1 = fma(D->m12, axis->z, a_1c);
+  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+      a_2 = fma(D->m22, axis->z, a_2c);
+  const double so_0a = D->m23 * a_1, so_0 = fma(-D->m13, a_2, so_0a);
+  const double so_1a = D->m03 * a_2, so_1 = fma(-D->m23, a_0, so_1a);
+  const double so_2a = D->m13 * a_0, so_2 = fma(-D->m03, a_1, so_2a);
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+      so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
+  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+      so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
+  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+      so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
@@ -4550,6 +4811,54 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
       so_1 = fmaf(D->m12, axis->z, so_1c);
   const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2 = fmaf(D->m22, axis->z, so_2c);
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   6 mul, 9 fma, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+      a_0 = fmaf(D->m02, axis->z, a_0c);
+  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+      a_1 = fmaf(D->m12, axis->z, a_1c);
+  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+      a_2 = fmaf(D->m22, axis->z, a_2c);
+  const float so_0a = D->m23 * a_1, so_0 = fmaf(-D->m13, a_2, so_0a);
+  const float so_1a = D->m03 * a_2, so_1 = fmaf(-D->m23, a_0, so_1a);
+  const float so_2a = D->m13 * a_0, so_2 = fmaf(-D->m03, a_1, so_2a);
+  const float so_3 = -a_0;
+  const float so_4 = -a_1;
+  const float so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   3 mul, 6 fma, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+      so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
+  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+      so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
+  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+      so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

@@ -447,6 +447,87 @@ static void SE3_invert_single(
 static PyUFuncGenericFunction SE3_invert_loops[] = {
     SE3_invert_double, SE3_invert_single};
 
+/* (3,4)->(4,4) */
+INLINED void SE3_toMat4x4_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat4x4_t M;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3_toMat4x4(&D, &M);
+    store_mat4x4_double(&M, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SE3_toMat4x4_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 128, 32, 8, 32, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_toMat4x4_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 128, 32, 8, 32, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_toMat4x4_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_toMat4x4_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,4)->(4,4) */
+INLINED void SE3_toMat4x4_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat4x4f_t M;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    ksl_SE3f_toMat4x4f(&D, &M);
+    store_mat4x4_single(&M, p1 + i * step[1], core + 2);
+  }
+}
+
+static void SE3_toMat4x4_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 64, 16, 4, 16, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    SE3_toMat4x4_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 64, 16, 4, 16, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    SE3_toMat4x4_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  SE3_toMat4x4_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction SE3_toMat4x4_loops[] = {
+    SE3_toMat4x4_double, SE3_toMat4x4_single};
+
 /* (3,4)->(3,4) */
 INLINED void SE3_inverted_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -567,6 +648,12 @@ const coscrew_gufunc TABLE(SE3)[] = {
     "9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
    1, 1, SE3_invert_loops},
+  {"SE3_toMat4x4", "(3,4)->(4,4)",
+    "M = [[R, t], [0, 1]] of D = [R | t].\n"
+    "\n"
+    "(3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.\n"
+    "No arithmetic.  Exact.\n",
+   1, 1, SE3_toMat4x4_loops},
   {"SE3_inverted", "(3,4)->(3,4)",
     "Do = D^-1 = [R^T | -R^T t].\n"
     "\n"

@@ -4648,19 +4648,19 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  ci: coscrew (f in N; τ in N m); norm: number.\n"
-    "7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.\n",
+    "7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.\n",
    1, 1, coscrew_norm_loops},
   {"coscrew_normalize", "(6)->(6)",
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
-    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.\n",
    1, 1, coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
-    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.\n",
    1, 1, coscrew_normalized_loops},
   {"coscrew_from_lin_ang", "(3),(3)->(6)",
     "co = (lin; ang).\n"

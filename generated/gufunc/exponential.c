@@ -493,180 +493,6 @@ static void SO3_rightJacobianInverse_single(
 static PyUFuncGenericFunction SO3_rightJacobianInverse_loops[] = {
     SO3_rightJacobianInverse_double, SO3_rightJacobianInverse_single};
 
-/* (3),()->(3,3) */
-INLINED void mat3x3_from_axis_angle_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t axis;
-  load_vec3_double(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    double angle;
-    ksl_mat3x3_t R;
-    if (step[0] != 0) {
-      load_vec3_double(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_double(&angle, p1 + i * step[1], core + 1);
-    ksl_mat3x3_from_axis_angle(&axis, angle, &R);
-    store_mat3x3_double(&R, p2 + i * step[2], core + 1);
-  }
-}
-
-static void mat3x3_from_axis_angle_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 8, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_axis_angle_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),()->(3,3) */
-INLINED void mat3x3_from_axis_angle_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t axis;
-  load_vec3_single(&axis, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    float angle;
-    ksl_mat3x3f_t R;
-    if (step[0] != 0) {
-      load_vec3_single(&axis, p0 + i * step[0], core + 0);
-    }
-    load_scalar_single(&angle, p1 + i * step[1], core + 1);
-    ksl_mat3x3f_from_axis_angle(&axis, angle, &R);
-    store_mat3x3_single(&R, p2 + i * step[2], core + 1);
-  }
-}
-
-static void mat3x3_from_axis_angle_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 4, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    mat3x3_from_axis_angle_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  mat3x3_from_axis_angle_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction mat3x3_from_axis_angle_loops[] = {
-    mat3x3_from_axis_angle_double, mat3x3_from_axis_angle_single};
-
-/* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    double angle;
-    ksl_vec3_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    angle = ksl_axis_angle_from_mat3x3(&R, &axis);
-    store_scalar_double(&angle, p1 + i * step[1], core + 2);
-    store_vec3_double(&axis, p2 + i * step[2], core + 2);
-  }
-}
-
-static void axis_angle_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    float angle;
-    ksl_vec3f_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    angle = ksl_axis_angle_from_mat3x3f(&R, &axis);
-    store_scalar_single(&angle, p1 + i * step[1], core + 2);
-    store_vec3_single(&axis, p2 + i * step[2], core + 2);
-  }
-}
-
-static void axis_angle_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
-    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
-
 /* (3,3)->(3,3) */
 INLINED void mat3x3_orthonormalize_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -1387,61 +1213,49 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.  Error <= R: 5 u of its\n"
-    "largest component; searched, not proved.\n",
+    "49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +\n"
+    "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
+    "proved.\n",
    1, 1, SO3_exp_loops},
   {"SO3_log", "(3,3)->(3)",
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=\n"
-    "vo: 5 u of its largest component; searched, not proved.\n",
+    "11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=\n"
+    "vo: 5 u of its largest component for R a rotation; searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.  Error <= R: 5 u of its\n"
-    "largest component; searched, not proved.\n",
+    "60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +\n"
+    "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
+    "proved.\n",
    1, 1, SO3_leftJacobian_loops},
   {"SO3_rightJacobian", "(3)->(3,3)",
     "R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.  Error <= R: 5 u of\n"
-    "its largest component; searched, not proved.\n",
+    "60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:\n"
+    "(6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,\n"
+    "not proved.\n",
    1, 1, SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3)",
     "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "but 0.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.  Error <= R: 5 u of\n"
-    "its largest component; searched, not proved.\n",
+    "43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5\n"
+    "u of its largest component for |v| <= π; searched, not proved.\n",
    1, 1, SO3_leftJacobianInverse_loops},
   {"SO3_rightJacobianInverse", "(3)->(3,3)",
     "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
     "but 0.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.  Error <= R: 5 u of its\n"
-    "largest component; searched, not proved.\n",
+    "43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of\n"
+    "its largest component for |v| <= π; searched, not proved.\n",
    1, 1, SO3_rightJacobianInverse_loops},
-  {"mat3x3_from_axis_angle", "(3),()->(3,3)",
-    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
-    "\n"
-    "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;\n"
-    "searched, not proved.\n",
-   2, 1, mat3x3_from_axis_angle_loops},
-  {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
-    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
-    "turns.\n"
-    "\n"
-    "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=\n"
-    "angle: 8 u, axis: 5 u of its largest component; searched, not proved.\n",
-   1, 2, axis_angle_from_mat3x3_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"
@@ -1460,50 +1274,52 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "D = exp s = [exp ω~ | J_l(ω) v].\n"
     "\n"
     "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
-    "79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.  Error <= R: 5 u, t: 8 u of\n"
-    "its largest component; searched, not proved.\n",
+    "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +\n"
+    "θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of\n"
+    "s| <= 1e13, in single precision 1e5; searched, not proved.\n",
    1, 1, SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
-    "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=\n"
-    "lin: 14 u, ang: 8 u of its largest component; searched, not proved.\n",
+    "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=\n"
+    "lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved.\n",
    1, 1, SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u\n"
-    "of its largest component; searched, not proved.\n",
+    "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:\n"
+    "14 u of its largest component for |ω of s| <= π; searched, not proved.\n",
    1, 1, SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u\n"
-    "of its largest component; searched, not proved.\n",
+    "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=\n"
+    "M: 14 u of its largest component for |ω of s| <= π; searched, not proved.\n",
    1, 1, SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
     "M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of\n"
-    "its largest component; searched, not proved.\n",
+    "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
+    "9 u of its largest component for |ω of s| <= π; searched, not proved.\n",
    1, 1, SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
     "M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
-    "92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of\n"
-    "its largest component; searched, not proved.\n",
+    "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
+    "9 u of its largest component for |ω of s| <= π; searched, not proved.\n",
    1, 1, SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
     "\n"
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
-    "207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39\n"
-    "select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.\n",
+    "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
+    "select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is\n"
+    "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

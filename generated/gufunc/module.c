@@ -4,24 +4,26 @@
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
-static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs,
-    coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs, coscrew_trig_gufuncs,
-    coscrew_screw_gufuncs, coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs,
-    coscrew_exponential_gufuncs, coscrew_symmetric_gufuncs, coscrew_inertia_gufuncs};
+static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_vec4_gufuncs,
+    coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat4x4_gufuncs, coscrew_mat6x6_gufuncs,
+    coscrew_matrix_gufuncs, coscrew_trig_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs,
+    coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs, coscrew_symmetric_gufuncs,
+    coscrew_inertia_gufuncs};
 
 #if COSCREW_HAS_AVX2
-static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2,
-    coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
-    coscrew_trig_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2,
-    coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2,
-    coscrew_symmetric_gufuncs_avx2, coscrew_inertia_gufuncs_avx2};
+static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2,
+    coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_mat4x4_gufuncs_avx2,
+    coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2, coscrew_trig_gufuncs_avx2,
+    coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2,
+    coscrew_exponential_gufuncs_avx2, coscrew_symmetric_gufuncs_avx2, coscrew_inertia_gufuncs_avx2};
 #endif
 
 /* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && getenv("COSCREW_BASELINE") == NULL) {
+  const int supported = __builtin_cpu_supports("avx2");
+  if (supported && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
 #endif
@@ -76,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "d2d2eab5b7170794") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "2fec3cf08fbf87f4") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -70,14 +70,18 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
 static vectorcallfunc call_of_numpy;
 
 /* What a call of a gufunc comes to: NumPy's, but that masked arrays are refused, whose masks it does
-   not see, and that errors name the argument. */
+   not see, and pandas' tables, which pass themselves on with their axes swapped and reordered; and
+   that errors name the argument. */
 static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
   const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
   for (size_t k = 0; k < inputs; k++) {
-    if (!PyArray_CheckExact(given[k]) && PyArray_Check(given[k])
-        && PyObject_HasAttrString((PyObject *)Py_TYPE(given[k]), "mask")) {
+    PyObject *x = given[k];
+    if (!PyArray_CheckExact(x) && !PyFloat_CheckExact(x) && !PyLong_CheckExact(x)
+        && !PyList_CheckExact(x)
+        && PyObject_HasAttrString((PyObject *)Py_TYPE(x),
+            PyArray_Check(x) ? "mask" : "__pandas_priority__")) {
       explain(ufunc, given, inputs);
       if (PyErr_Occurred()) {
         return NULL;

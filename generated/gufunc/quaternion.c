@@ -1557,19 +1557,19 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "|q| = sqrt(v·v + w^2).\n"
     "\n"
     "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
-    "9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.\n",
+    "9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.\n",
    1, 1, quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
     "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
-    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
+    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
    1, 1, quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
     "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
-    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.\n",
+    "16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.\n",
    1, 1, quaternion_normalized_loops},
   {"product_qq", "(4),(4)->(4)",
     "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).\n"
@@ -1610,50 +1610,54 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
-    "20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.\n",
+    "20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,\n"
+    "in single precision 2^-45 < |q| < 2^63; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest\n"
-    "component; searched, not proved.\n",
+    "component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
     "qo = (axis sin angle/2; cos angle/2); axis of length 1.\n"
     "\n"
     "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.\n",
+    "4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,\n"
+    "not proved.\n",
    2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
     "nothing turns; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=\n"
+    "12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=\n"
     "angle: 5 u, axis: 4 u of its largest component; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4)",
     "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.\n"
     "\n"
     "(3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its\n"
-    "largest component; searched, not proved.\n",
+    "43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +\n"
+    "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
+    "proved.\n",
    1, 1, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=\n"
+    "15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=\n"
     "vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {"quaternion_slerp", "(4),(4),()->(4)",
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
     "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
-    "76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16\n"
-    "select.  Error <= qo: 12 u of its largest component; searched, not proved.\n",
+    "85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19\n"
+    "select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=\n"
+    "1; searched, not proved.\n",
    3, 1, quaternion_slerp_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -2298,25 +2298,25 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "|v| = sqrt(v·v).\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
-    "7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.\n",
+    "7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.\n",
    1, 1, vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
-    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.\n",
+    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.\n",
    1, 1, vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
-    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.\n",
+    "12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.\n",
    1, 1, vec3_normalized_loops},
   {"angle_vv", "(3),(3)->()",
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.\n",
+    "22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.\n",
    2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

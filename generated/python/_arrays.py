@@ -23,6 +23,9 @@ def numbers(value, name, objects=False):
     if isinstance(value, np.ndarray) and type(value) is not np.ndarray and isinstance(
             value, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array came; {WANTED}, without a mask, are wanted")
+    if hasattr(type(value), "__pandas_priority__"):
+        raise TypeError(f"{name}: a pandas {type(value).__name__} came; its to_numpy() is wanted, "
+                        f"of {WANTED}")
     try:
         found = np.asarray(value)
     except Exception as error:  # of rows of different lengths, of a tracer, of a tensor elsewhere
@@ -64,8 +67,8 @@ def array(value: ArrayLike, name: str, core: Shape, function: str, objects: bool
 
 
 def overrides(value: object) -> bool:
-    """Whether it answers calls of ufuncs itself, as dask's arrays do."""
-    return getattr(type(value), "__array_ufunc__", np.ndarray.__array_ufunc__) is not (
+    """Whether it answers calls of ufuncs itself, as dask's arrays do; pandas' tables may not."""
+    return not hasattr(type(value), "__pandas_priority__") and getattr(type(value), "__array_ufunc__", np.ndarray.__array_ufunc__) is not (
         np.ndarray.__array_ufunc__)
 
 

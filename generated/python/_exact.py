@@ -1,13 +1,47 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
-"""Exact rounding errors, for compensated kernels.
+"""Exact rounding errors, for compensated kernels: the same bits as fma's, whatever the numbers.
 
-Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own
-magnitude is above 2^-969.
+NumPy has no fma.  Products are split in halves of 26 bits; where that over- or underflows, element
+by element, in rationals.
 """
 
+from fractions import Fraction
+from math import isfinite
+
+import numpy as np
+from numpy import absolute
+
 _SPLITTER = 134217729.0  # 2^27 + 1
+_LEAST, _MOST = 2.0**-968, 2.0**996  # between them halves and products of halves are exact
+
+
+def product_error(a, b, p):
+    """a b - p rounded once, p the rounded product; the exact error where |p| >= 2^-968."""
+    return _elsewhere(_split(a, b, p), _dekker(a, b, p), a, b, p)
+
+
+def product_rest(a, b, p, h):
+    """a b - h rounded once, where p is a b rounded and p - h is exact."""
+    with np.errstate(all="ignore"):
+        found = (p - h) + _dekker(a, b, p)
+    return _elsewhere(_split(a, b, p), found, a, b, h)
+
+
+def _split(a, b, p):
+    """Where halves do."""
+    size = absolute(p)
+    return (((size >= _LEAST) | (a == 0) | (b == 0)) & (size <= _MOST)
+            & (absolute(a) <= _MOST) & (absolute(b) <= _MOST))
+
+
+def _dekker(a, b, p):
+    """a b - p.  Source: Dekker, TwoProduct."""
+    with np.errstate(all="ignore"):
+        a_high, a_low = _halves(a)
+        b_high, b_low = _halves(b)
+        return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
 def _halves(a):
@@ -17,13 +51,24 @@ def _halves(a):
     return high, a - high
 
 
-def product_error(a, b, p):
-    """a b - p exactly, p the rounded product.  Source: Dekker, TwoProduct."""
-    a_high, a_low = _halves(a)
-    b_high, b_low = _halves(b)
-    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+def _elsewhere(where, found, a, b, c):
+    """`found` where it is right, else a b - c."""
+    if where.all():
+        return found
+    found, rest = np.array(found), ~where
+    factors = [np.broadcast_to(x, found.shape)[rest].tolist() for x in (a, b, c)]
+    found[rest] = list(map(_fused, *factors))
+    return found[()]
 
 
-def product_rest(a, b, p, h):
-    """a b - h rounded once, where p is a b rounded and p - h is exact."""
-    return (p - h) + product_error(a, b, p)
+def _fused(a, b, c):
+    """a b - c rounded once, of three floats."""
+    if not (isfinite(a) and isfinite(b)):
+        return a * b - c
+    if not isfinite(c):
+        return -c
+    exact = Fraction(a) * Fraction(b) - Fraction(c)
+    try:
+        return float(exact) if exact else a * b - c
+    except OverflowError:
+        return float("inf") if exact > 0 else -float("inf")

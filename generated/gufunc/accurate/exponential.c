@@ -88,93 +88,6 @@ static void SO3_log_single(
 static PyUFuncGenericFunction SO3_log_loops[] = {
     SO3_log_double, SO3_log_single};
 
-/* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3_t R;
-  load_mat3x3_double(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    double angle;
-    ksl_vec3_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
-    }
-    angle = ksl_axis_angle_from_mat3x3_accurate(&R, &axis);
-    store_scalar_double(&angle, p1 + i * step[1], core + 2);
-    store_vec3_double(&axis, p2 + i * step[2], core + 2);
-  }
-}
-
-static void axis_angle_from_mat3x3_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 3);
-}
-
-/* (3,3)->(),(3) */
-INLINED void axis_angle_from_mat3x3_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_mat3x3f_t R;
-  load_mat3x3_single(&R, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    float angle;
-    ksl_vec3f_t axis;
-    if (step[0] != 0) {
-      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
-    }
-    angle = ksl_axis_angle_from_mat3x3f_accurate(&R, &axis);
-    store_scalar_single(&angle, p1 + i * step[1], core + 2);
-    store_vec3_single(&axis, p2 + i * step[2], core + 2);
-  }
-}
-
-static void axis_angle_from_mat3x3_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    axis_angle_from_mat3x3_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
-    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
-
 /* (3,3)->(3,3) */
 INLINED void mat3x3_orthonormalize_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -316,18 +229,10 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
-   1, 1, SO3_log_loops},
-  {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
-    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
-    "turns.\n"
-    "\n"
-    "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11\n"
-    "less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;\n"
+    "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;\n"
     "searched, not proved.\n",
-   1, 2, axis_angle_from_mat3x3_loops},
+   1, 1, SO3_log_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
     "\n"

@@ -1010,7 +1010,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "\n"
     "(10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,\n"
     "xz, yz in kg m^2); pivot: number.\n"
-    "43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
+    "43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
     "select.\n",
    1, 1, inertia_consistency_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -88,6 +88,630 @@ static void mat3x3_determinant_single(
 static PyUFuncGenericFunction mat3x3_determinant_loops[] = {
     mat3x3_determinant_double, mat3x3_determinant_single};
 
+/* (3,3)->(),(3,3) */
+INLINED void mat3x3_inverse_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double det;
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    det = ksl_mat3x3_inverse_accurate(&R, &Ro);
+    store_scalar_double(&det, p1 + i * step[1], core + 2);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 2);
+  }
+}
+
+static void mat3x3_inverse_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 8, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_inverse_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_inverse_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_inverse_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3)->(),(3,3) */
+INLINED void mat3x3_inverse_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float det;
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    det = ksl_mat3x3f_inverse_accurate(&R, &Ro);
+    store_scalar_single(&det, p1 + i * step[1], core + 2);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 2);
+  }
+}
+
+static void mat3x3_inverse_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 4, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_inverse_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_inverse_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_inverse_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction mat3x3_inverse_loops[] = {
+    mat3x3_inverse_double, mat3x3_inverse_single};
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_normalize_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t self;
+    load_mat3x3_double(&self, p0 + i * step[0], core + 0);
+    ksl_mat3x3_normalize_accurate(&self);
+    store_mat3x3_double(&self, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_normalize_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_normalize_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  mat3x3_normalize_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_normalize_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t self;
+    load_mat3x3_single(&self, p0 + i * step[0], core + 0);
+    ksl_mat3x3f_normalize_accurate(&self);
+    store_mat3x3_single(&self, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_normalize_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_normalize_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  mat3x3_normalize_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_normalize_loops[] = {
+    mat3x3_normalize_double, mat3x3_normalize_single};
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_normalized_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3_normalized_accurate(&R, &Ro);
+    store_mat3x3_double(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_normalized_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_normalized_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_normalized_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_normalized_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3,3) */
+INLINED void mat3x3_normalized_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t Ro;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3f_normalized_accurate(&R, &Ro);
+    store_mat3x3_single(&Ro, p1 + i * step[1], core + 2);
+  }
+}
+
+static void mat3x3_normalized_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_normalized_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_normalized_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_normalized_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_normalized_loops[] = {
+    mat3x3_normalized_double, mat3x3_normalized_single};
+
+/* (3),(2)->(3,3) */
+INLINED void mat3x3_setFromAxisDC_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double dc[2];
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 1);
+    ksl_mat3x3_setFromAxisDC_accurate(&R, &axis, dc);
+    store_mat3x3_double(&R, p2 + i * step[2], core + 2);
+  }
+}
+
+static void mat3x3_setFromAxisDC_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 16, 72, 8, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromAxisDC_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 8, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromAxisDC_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_setFromAxisDC_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),(2)->(3,3) */
+INLINED void mat3x3_setFromAxisDC_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float dc[2];
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 1);
+    ksl_mat3x3f_setFromAxisDC_accurate(&R, &axis, dc);
+    store_mat3x3_single(&R, p2 + i * step[2], core + 2);
+  }
+}
+
+static void mat3x3_setFromAxisDC_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 8, 36, 4, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromAxisDC_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 4, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromAxisDC_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_setFromAxisDC_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
+    mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
+
+/* (3,3)->(3) */
+INLINED void euler_xyz_from_mat3x3_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t angles;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_euler_xyz_from_mat3x3_accurate(&R, &angles);
+    store_vec3_double(&angles, p1 + i * step[1], core + 2);
+  }
+}
+
+static void euler_xyz_from_mat3x3_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    euler_xyz_from_mat3x3_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    euler_xyz_from_mat3x3_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  euler_xyz_from_mat3x3_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3) */
+INLINED void euler_xyz_from_mat3x3_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t angles;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_euler_xyz_from_mat3x3f_accurate(&R, &angles);
+    store_vec3_single(&angles, p1 + i * step[1], core + 2);
+  }
+}
+
+static void euler_xyz_from_mat3x3_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    euler_xyz_from_mat3x3_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    euler_xyz_from_mat3x3_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  euler_xyz_from_mat3x3_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction euler_xyz_from_mat3x3_loops[] = {
+    euler_xyz_from_mat3x3_double, euler_xyz_from_mat3x3_single};
+
+/* (3,3)->(3) */
+INLINED void euler_xyx_from_mat3x3_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t angles;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_euler_xyx_from_mat3x3_accurate(&R, &angles);
+    store_vec3_double(&angles, p1 + i * step[1], core + 2);
+  }
+}
+
+static void euler_xyx_from_mat3x3_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    euler_xyx_from_mat3x3_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    euler_xyx_from_mat3x3_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  euler_xyx_from_mat3x3_double_over(data, n[0], step, step + 2);
+}
+
+/* (3,3)->(3) */
+INLINED void euler_xyx_from_mat3x3_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t angles;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    ksl_euler_xyx_from_mat3x3f_accurate(&R, &angles);
+    store_vec3_single(&angles, p1 + i * step[1], core + 2);
+  }
+}
+
+static void euler_xyx_from_mat3x3_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    euler_xyx_from_mat3x3_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    euler_xyx_from_mat3x3_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  euler_xyx_from_mat3x3_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction euler_xyx_from_mat3x3_loops[] = {
+    euler_xyx_from_mat3x3_double, euler_xyx_from_mat3x3_single};
+
+/* (3,3),(3,3)->(3,3),(3,3) */
+INLINED void mat3x3_jacobi_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t A;
+    ksl_mat3x3_t V;
+    load_mat3x3_double(&A, p0 + i * step[0], core + 0);
+    load_mat3x3_double(&V, p1 + i * step[1], core + 2);
+    ksl_mat3x3_jacobi_accurate(&A, &V);
+    store_mat3x3_double(&A, p2 + i * step[2], core + 4);
+    store_mat3x3_double(&V, p3 + i * step[3], core + 6);
+  }
+}
+
+static void mat3x3_jacobi_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_jacobi_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  mat3x3_jacobi_double_over(data, n[0], step, step + 4);
+}
+
+/* (3,3),(3,3)->(3,3),(3,3) */
+INLINED void mat3x3_jacobi_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t A;
+    ksl_mat3x3f_t V;
+    load_mat3x3_single(&A, p0 + i * step[0], core + 0);
+    load_mat3x3_single(&V, p1 + i * step[1], core + 2);
+    ksl_mat3x3f_jacobi_accurate(&A, &V);
+    store_mat3x3_single(&A, p2 + i * step[2], core + 4);
+    store_mat3x3_single(&V, p3 + i * step[3], core + 6);
+  }
+}
+
+static void mat3x3_jacobi_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_jacobi_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  mat3x3_jacobi_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction mat3x3_jacobi_loops[] = {
+    mat3x3_jacobi_double, mat3x3_jacobi_single};
+
+/* (3,3)->(),(3) */
+INLINED void axis_angle_from_mat3x3_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3_t R;
+  load_mat3x3_double(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_vec3_t axis;
+    if (step[0] != 0) {
+      load_mat3x3_double(&R, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_mat3x3_accurate(&R, &axis);
+    store_scalar_double(&angle, p1 + i * step[1], core + 2);
+    store_vec3_double(&axis, p2 + i * step[2], core + 2);
+  }
+}
+
+static void axis_angle_from_mat3x3_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 72, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_mat3x3_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_mat3x3_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  axis_angle_from_mat3x3_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,3)->(),(3) */
+INLINED void axis_angle_from_mat3x3_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_mat3x3f_t R;
+  load_mat3x3_single(&R, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_vec3f_t axis;
+    if (step[0] != 0) {
+      load_mat3x3_single(&R, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_mat3x3f_accurate(&R, &axis);
+    store_scalar_single(&angle, p1 + i * step[1], core + 2);
+    store_vec3_single(&axis, p2 + i * step[2], core + 2);
+  }
+}
+
+static void axis_angle_from_mat3x3_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 36, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_mat3x3_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_mat3x3_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  axis_angle_from_mat3x3_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
+    axis_angle_from_mat3x3_double, axis_angle_from_mat3x3_single};
+
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"mat3x3_determinant", "(3,3)->()",
     "det R.\n"
@@ -96,6 +720,78 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_determinant_loops},
+  {"mat3x3_inverse", "(3,3)->(),(3,3)",
+    "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8\n"
+    "u times the sum of its terms' sizes), and Ro = NaN.\n"
+    "\n"
+    "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
+    "56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,\n"
+    "34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p\n"
+    "the sums of the sizes of the terms of the cofactor and of det R; barring over- and\n"
+    "underflow.\n",
+   1, 2, mat3x3_inverse_loops},
+  {"mat3x3_normalize", "(3,3)->(3,3)",
+    "self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
+    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "\n"
+    "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
+    "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "proved.\n",
+   1, 1, mat3x3_normalize_loops},
+  {"mat3x3_normalized", "(3,3)->(3,3)",
+    "Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
+    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "\n"
+    "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
+    "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "proved.\n",
+   1, 1, mat3x3_normalized_loops},
+  {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).\n"
+    "\n"
+    "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
+    "21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum\n"
+    "of the |terms| of the expanded formula; barring over- and underflow.\n",
+   2, 1, mat3x3_setFromAxisDC_loops},
+  {"euler_xyz_from_mat3x3", "(3,3)->(3)",
+    "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
+    "[-π/2, π/2]; c = 0 in gimbal lock.\n"
+    "\n"
+    "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
+    "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2\n"
+    "less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near\n"
+    "gimbal lock too; searched, not proved.\n",
+   1, 1, euler_xyz_from_mat3x3_loops},
+  {"euler_xyx_from_mat3x3", "(3,3)->(3)",
+    "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
+    "[0, π]; c = 0 in gimbal lock.\n"
+    "\n"
+    "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
+    "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6\n"
+    "equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal\n"
+    "lock too; searched, not proved.\n",
+   1, 1, euler_xyx_from_mat3x3_loops},
+  {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
+    "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
+    "A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =\n"
+    "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
+    "\n"
+    "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
+    "51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
+    "equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,\n"
+    "not proved.\n",
+   2, 2, mat3x3_jacobi_loops},
+  {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
+    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
+    "turns.\n"
+    "\n"
+    "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
+    "35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
+    "less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a\n"
+    "rotation; searched, not proved.\n",
+   1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

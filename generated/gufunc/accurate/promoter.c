@@ -50,7 +50,7 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
 static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
-  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='accurate', title='Accurate tier: double compensated, single computed in double.', header='ksl_exact', double=<function accurate at 0x7f7fbf3d1e40>, single=<function widened at 0x7f7fbf3d19e0>, operation=<function Tier.<lambda> at 0x7f7fbf3f8720>, in_words='The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in\nfloat64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.', operations=frozenset({<Op.ABS: 'abs'>, <Op.SELECT: 'select'>, <Op.SUB: 'sub'>, <Op.ADD: 'add'>, <Op.MUL: 'mul'>, <Op.NEG: 'neg'>, <Op.LESS: 'less'>, <Op.ATAN2: 'atan2'>, <Op.SCALE: 'scale'>, <Op.DIV: 'div'>, <Op.SQRT: 'sqrt'>, <Op.EQUAL: 'equal'>}))._dispatch");
+  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='accurate', title='Accurate tier: double compensated, single computed in double.', header='ksl_exact', double=<function accurate at 0x7ff63adba3e0>, single=<function widened at 0x7ff63adb9f80>, operation=<function Tier.<lambda> at 0x7ff63adb0d60>, in_words='The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in\nfloat64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.', operations=frozenset({<Op.SUB: 'sub'>, <Op.SQRT: 'sqrt'>, <Op.ABS: 'abs'>, <Op.LESS: 'less'>, <Op.NEG: 'neg'>, <Op.ADD: 'add'>, <Op.MUL: 'mul'>, <Op.ATAN2: 'atan2'>, <Op.SELECT: 'select'>, <Op.DIV: 'div'>, <Op.SCALE: 'scale'>, <Op.EQUAL: 'equal'>}))._dispatch");
   PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
   PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
   PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);
@@ -70,14 +70,18 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
 static vectorcallfunc call_of_numpy;
 
 /* What a call of a gufunc comes to: NumPy's, but that masked arrays are refused, whose masks it does
-   not see, and that errors name the argument. */
+   not see, and pandas' tables, which pass themselves on with their axes swapped and reordered; and
+   that errors name the argument. */
 static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
   const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
   for (size_t k = 0; k < inputs; k++) {
-    if (!PyArray_CheckExact(given[k]) && PyArray_Check(given[k])
-        && PyObject_HasAttrString((PyObject *)Py_TYPE(given[k]), "mask")) {
+    PyObject *x = given[k];
+    if (!PyArray_CheckExact(x) && !PyFloat_CheckExact(x) && !PyLong_CheckExact(x)
+        && !PyList_CheckExact(x)
+        && PyObject_HasAttrString((PyObject *)Py_TYPE(x),
+            PyArray_Check(x) ? "mask" : "__pandas_priority__")) {
       explain(ufunc, given, inputs);
       if (PyErr_Occurred()) {
         return NULL;

@@ -1061,21 +1061,21 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "|q| = sqrt(v·v + w^2).\n"
     "\n"
     "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
-    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10\n"
+    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12\n"
     "select.\n",
    1, 1, quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
     "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
-    "33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18\n"
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
     "select.\n",
    1, 1, quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
     "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
-    "33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18\n"
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
     "select.\n",
    1, 1, quaternion_normalized_loops},
   {"product_qq", "(4),(4)->(4)",
@@ -1118,22 +1118,23 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5\n"
-    "u of its largest component; searched, not proved.\n",
+    "u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;\n"
+    "searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
-    "select.  Error <= qo: 5 u of its largest component; searched, not proved.\n",
+    "21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
+    "select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
     "nothing turns; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
-    "less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;\n"
+    "27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16\n"
+    "less, 8 equal, 31 select.  Error <= angle: 5 u, axis: 4 u of its largest component;\n"
     "searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_log", "(4)->(3)",
@@ -1141,8 +1142,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8\n"
-    "less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
+    "29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16\n"
+    "less, 7 equal, 28 select.  Error <= vo: 5 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -2679,6 +2679,180 @@ static void hsta_single(
 static PyUFuncGenericFunction hsta_loops[] = {
     hsta_double, hsta_single};
 
+/* (3,4),(3)->(6) */
+INLINED void hsrainv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    ksl_hsrainv_accurate(&D, &axis, &so);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
+  }
+}
+
+static void hsrainv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrainv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrainv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  hsrainv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(3)->(6) */
+INLINED void hsrainv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    ksl_hsrainvf_accurate(&D, &axis, &so);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
+  }
+}
+
+static void hsrainv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrainv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrainv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  hsrainv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction hsrainv_loops[] = {
+    hsrainv_double, hsrainv_single};
+
+/* (3,4),(3)->(6) */
+INLINED void hstainv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    ksl_hstainv_accurate(&D, &axis, &so);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
+  }
+}
+
+static void hstainv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstainv_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstainv_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  hstainv_double_over(data, n[0], step, step + 3);
+}
+
+/* (3,4),(3)->(6) */
+INLINED void hstainv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    ksl_hstainvf_accurate(&D, &axis, &so);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
+  }
+}
+
+static void hstainv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstainv_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstainv_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  hstainv_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction hstainv_loops[] = {
+    hstainv_double, hstainv_single};
+
 const coscrew_gufunc TABLE(screw)[] = {
   {"screw_scale", "(6),()->(6)",
     "self = a self.\n"
@@ -2727,22 +2901,22 @@ const coscrew_gufunc TABLE(screw)[] = {
     "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
-    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15\n"
+    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17\n"
     "select.\n",
    1, 1, screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
-    "43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27\n"
-    "select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,\n"
+    "28 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
-    "43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27\n"
-    "select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,\n"
+    "28 select.\n",
    1, 1, screw_normalized_loops},
   {"add_sst", "(6),(6)->(6)",
     "so = (s1.lin + s2.lin ; s1.ang).\n"
@@ -2903,6 +3077,22 @@ const coscrew_gufunc TABLE(screw)[] = {
     "9 mul, 33 add, 9 product rest.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, hsta_loops},
+  {"hsrainv", "(3,4),(3)->(6)",
+    "so = -(t×R a ; R a), a = axis in the body's frame.\n"
+    "\n"
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in\n"
+    "m/s; ω in rad/s).\n"
+    "21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S\n"
+    "the sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+   2, 1, hsrainv_loops},
+  {"hstainv", "(3,4),(3)->(6)",
+    "so = -(R a ; 0), a = axis in the body's frame.\n"
+    "\n"
+    "(3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in\n"
+    "m/s; ω in rad/s).\n"
+    "9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the\n"
+    "sum of the |terms| of the expanded formula; barring over- and underflow.\n",
+   2, 1, hstainv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

@@ -547,7 +547,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.\n"
     "\n"
     "(3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.\n"
-    "16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D\n"
+    "16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D\n"
     "L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.\n",
    1, 2, mat3x3_ldl_loops},
   {"mat3x3_ldl_solve", "(3,3),(3)->(3)",
@@ -564,7 +564,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "positive, and x not a number.\n"
     "\n"
     "(3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.\n"
-    "89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.\n"
+    "96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
    2, 2, mat3x3_solve_loops},
@@ -573,7 +573,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.\n"
     "\n"
     "(6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.\n"
-    "121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.\n"
+    "121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.\n"
     "|L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and\n"
     "underflow.\n",
    1, 2, mat6x6_ldl_loops},
@@ -593,7 +593,7 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "\n"
     "(6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw\n"
     "(v in m/s; ω in rad/s).\n"
-    "497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.\n"
+    "516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.\n"
     "Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;\n"
     "barring over- and underflow.\n",
    2, 2, mat6x6_solve_loops},

@@ -1992,29 +1992,29 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "|v| = sqrt(v·v).\n"
     "\n"
     "(3)->().  v: vector; norm: number.\n"
-    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9\n"
+    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11\n"
     "select.\n",
    1, 1, vec3_l2norm_loops},
   {"vec3_normalize", "(3)->(3)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  self: vector.\n"
-    "25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15\n"
+    "25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16\n"
     "select.\n",
    1, 1, vec3_normalize_loops},
   {"vec3_normalized", "(3)->(3)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(3)->(3).  v, vo: vector.\n"
-    "25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15\n"
+    "25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16\n"
     "select.\n",
    1, 1, vec3_normalized_loops},
   {"angle_vv", "(3),(3)->()",
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7\n"
-    "equal, 23 select.\n",
+    "42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22\n"
+    "less, 7 equal, 32 select.\n",
    2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

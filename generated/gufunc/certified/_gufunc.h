@@ -62,6 +62,7 @@ typedef struct {
 int coscrew_add_promoter(PyObject *ufunc);
 
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_vec4_gufuncs[], coscrew_vec4_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx2[];
@@ -155,6 +156,42 @@ INLINED void store_vec3_single(
   *(float *)(p + 2 * s[0]) = x->z;
 }
 
+INLINED void load_vec4_double(
+    ksl_vec4_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->x = *(const double *)(p);
+  x->y = *(const double *)(p + 1 * s[0]);
+  x->z = *(const double *)(p + 2 * s[0]);
+  x->w = *(const double *)(p + 3 * s[0]);
+}
+
+INLINED void store_vec4_double(
+    const ksl_vec4_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(double *)(p) = x->x;
+  *(double *)(p + 1 * s[0]) = x->y;
+  *(double *)(p + 2 * s[0]) = x->z;
+  *(double *)(p + 3 * s[0]) = x->w;
+}
+
+INLINED void load_vec4_single(
+    ksl_vec4f_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->x = *(const float *)(p);
+  x->y = *(const float *)(p + 1 * s[0]);
+  x->z = *(const float *)(p + 2 * s[0]);
+  x->w = *(const float *)(p + 3 * s[0]);
+}
+
+INLINED void store_vec4_single(
+    const ksl_vec4f_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(float *)(p) = x->x;
+  *(float *)(p + 1 * s[0]) = x->y;
+  *(float *)(p + 2 * s[0]) = x->z;
+  *(float *)(p + 3 * s[0]) = x->w;
+}
+
 INLINED void load_mat3x3_double(
     ksl_mat3x3_t *x, const char *p, const npy_intp *s) {
   (void)s;
@@ -209,6 +246,90 @@ INLINED void store_mat3x3_single(
   *(float *)(p + 2 * s[0]) = x->m20;
   *(float *)(p + 2 * s[0] + 1 * s[1]) = x->m21;
   *(float *)(p + 2 * s[0] + 2 * s[1]) = x->m22;
+}
+
+INLINED void load_mat4x4_double(
+    ksl_mat4x4_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m00 = *(const double *)(p);
+  x->m01 = *(const double *)(p + 1 * s[1]);
+  x->m02 = *(const double *)(p + 2 * s[1]);
+  x->m03 = *(const double *)(p + 3 * s[1]);
+  x->m10 = *(const double *)(p + 1 * s[0]);
+  x->m11 = *(const double *)(p + 1 * s[0] + 1 * s[1]);
+  x->m12 = *(const double *)(p + 1 * s[0] + 2 * s[1]);
+  x->m13 = *(const double *)(p + 1 * s[0] + 3 * s[1]);
+  x->m20 = *(const double *)(p + 2 * s[0]);
+  x->m21 = *(const double *)(p + 2 * s[0] + 1 * s[1]);
+  x->m22 = *(const double *)(p + 2 * s[0] + 2 * s[1]);
+  x->m23 = *(const double *)(p + 2 * s[0] + 3 * s[1]);
+  x->m30 = *(const double *)(p + 3 * s[0]);
+  x->m31 = *(const double *)(p + 3 * s[0] + 1 * s[1]);
+  x->m32 = *(const double *)(p + 3 * s[0] + 2 * s[1]);
+  x->m33 = *(const double *)(p + 3 * s[0] + 3 * s[1]);
+}
+
+INLINED void store_mat4x4_double(
+    const ksl_mat4x4_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(double *)(p) = x->m00;
+  *(double *)(p + 1 * s[1]) = x->m01;
+  *(double *)(p + 2 * s[1]) = x->m02;
+  *(double *)(p + 3 * s[1]) = x->m03;
+  *(double *)(p + 1 * s[0]) = x->m10;
+  *(double *)(p + 1 * s[0] + 1 * s[1]) = x->m11;
+  *(double *)(p + 1 * s[0] + 2 * s[1]) = x->m12;
+  *(double *)(p + 1 * s[0] + 3 * s[1]) = x->m13;
+  *(double *)(p + 2 * s[0]) = x->m20;
+  *(double *)(p + 2 * s[0] + 1 * s[1]) = x->m21;
+  *(double *)(p + 2 * s[0] + 2 * s[1]) = x->m22;
+  *(double *)(p + 2 * s[0] + 3 * s[1]) = x->m23;
+  *(double *)(p + 3 * s[0]) = x->m30;
+  *(double *)(p + 3 * s[0] + 1 * s[1]) = x->m31;
+  *(double *)(p + 3 * s[0] + 2 * s[1]) = x->m32;
+  *(double *)(p + 3 * s[0] + 3 * s[1]) = x->m33;
+}
+
+INLINED void load_mat4x4_single(
+    ksl_mat4x4f_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m00 = *(const float *)(p);
+  x->m01 = *(const float *)(p + 1 * s[1]);
+  x->m02 = *(const float *)(p + 2 * s[1]);
+  x->m03 = *(const float *)(p + 3 * s[1]);
+  x->m10 = *(const float *)(p + 1 * s[0]);
+  x->m11 = *(const float *)(p + 1 * s[0] + 1 * s[1]);
+  x->m12 = *(const float *)(p + 1 * s[0] + 2 * s[1]);
+  x->m13 = *(const float *)(p + 1 * s[0] + 3 * s[1]);
+  x->m20 = *(const float *)(p + 2 * s[0]);
+  x->m21 = *(const float *)(p + 2 * s[0] + 1 * s[1]);
+  x->m22 = *(const float *)(p + 2 * s[0] + 2 * s[1]);
+  x->m23 = *(const float *)(p + 2 * s[0] + 3 * s[1]);
+  x->m30 = *(const float *)(p + 3 * s[0]);
+  x->m31 = *(const float *)(p + 3 * s[0] + 1 * s[1]);
+  x->m32 = *(const float *)(p + 3 * s[0] + 2 * s[1]);
+  x->m33 = *(const float *)(p + 3 * s[0] + 3 * s[1]);
+}
+
+INLINED void store_mat4x4_single(
+    const ksl_mat4x4f_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(float *)(p) = x->m00;
+  *(float *)(p + 1 * s[1]) = x->m01;
+  *(float *)(p + 2 * s[1]) = x->m02;
+  *(float *)(p + 3 * s[1]) = x->m03;
+  *(float *)(p + 1 * s[0]) = x->m10;
+  *(float *)(p + 1 * s[0] + 1 * s[1]) = x->m11;
+  *(float *)(p + 1 * s[0] + 2 * s[1]) = x->m12;
+  *(float *)(p + 1 * s[0] + 3 * s[1]) = x->m13;
+  *(float *)(p + 2 * s[0]) = x->m20;
+  *(float *)(p + 2 * s[0] + 1 * s[1]) = x->m21;
+  *(float *)(p + 2 * s[0] + 2 * s[1]) = x->m22;
+  *(float *)(p + 2 * s[0] + 3 * s[1]) = x->m23;
+  *(float *)(p + 3 * s[0]) = x->m30;
+  *(float *)(p + 3 * s[0] + 1 * s[1]) = x->m31;
+  *(float *)(p + 3 * s[0] + 2 * s[1]) = x->m32;
+  *(float *)(p + 3 * s[0] + 3 * s[1]) = x->m33;
 }
 
 INLINED void load_SE3_double(

@@ -94,6 +94,99 @@ static void mat3x3_determinant_single(
 static PyUFuncGenericFunction mat3x3_determinant_loops[] = {
     mat3x3_determinant_double, mat3x3_determinant_single};
 
+/* (3),(2)->(3,3),(3,3) */
+INLINED void mat3x3_setFromAxisDC_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double dc[2];
+    ksl_mat3x3_t R;
+    ksl_mat3x3_t R_bound;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_dc_double(dc, p1 + i * step[1], core + 1);
+    ksl_mat3x3_setFromAxisDC_certified(&R, &axis, dc, &R_bound);
+    store_mat3x3_double(&R, p2 + i * step[2], core + 2);
+    store_mat3x3_double(&R_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void mat3x3_setFromAxisDC_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 16, 72, 72, 8, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromAxisDC_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 72, 72, 8, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromAxisDC_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  mat3x3_setFromAxisDC_double_over(data, n[0], step, step + 4);
+}
+
+/* (3),(2)->(3,3),(3,3) */
+INLINED void mat3x3_setFromAxisDC_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float dc[2];
+    ksl_mat3x3f_t R;
+    ksl_mat3x3f_t R_bound;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_dc_single(dc, p1 + i * step[1], core + 1);
+    ksl_mat3x3f_setFromAxisDC_certified(&R, &axis, dc, &R_bound);
+    store_mat3x3_single(&R, p2 + i * step[2], core + 2);
+    store_mat3x3_single(&R_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void mat3x3_setFromAxisDC_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 8, 36, 36, 4, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_setFromAxisDC_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 36, 36, 4, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_setFromAxisDC_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  mat3x3_setFromAxisDC_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
+    mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
+
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"mat3x3_determinant", "(3,3)->(),()",
     "det R; |error of det| <= det_bound unless inf or NaN.\n"
@@ -101,6 +194,14 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(3,3)->(),().  R: rotation or other 3×3 matrix; det, det_bound: number.\n"
     "13 mul, 14 add, 9 abs.\n",
    1, 2, mat3x3_determinant_loops},
+  {"mat3x3_setFromAxisDC", "(3),(2)->(3,3),(3,3)",
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ);\n"
+    "|error of R| <= R_bound unless inf or NaN.\n"
+    "\n"
+    "(3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3\n"
+    "matrix.\n"
+    "30 mul, 31 add, 8 abs.\n",
+   2, 2, mat3x3_setFromAxisDC_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

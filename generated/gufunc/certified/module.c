@@ -4,22 +4,24 @@
 /* The extension module coscrew.certified._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
-static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_mat3x3_gufuncs,
-    coscrew_SE3_gufuncs, coscrew_matrix_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs,
-    coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs, coscrew_inertia_gufuncs};
+static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_vec4_gufuncs,
+    coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_matrix_gufuncs, coscrew_screw_gufuncs,
+    coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs,
+    coscrew_inertia_gufuncs};
 
 #if COSCREW_HAS_AVX2
-static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2,
-    coscrew_SE3_gufuncs_avx2, coscrew_matrix_gufuncs_avx2, coscrew_screw_gufuncs_avx2,
-    coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2,
-    coscrew_inertia_gufuncs_avx2};
+static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2,
+    coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
+    coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2,
+    coscrew_exponential_gufuncs_avx2, coscrew_inertia_gufuncs_avx2};
 #endif
 
 /* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && getenv("COSCREW_BASELINE") == NULL) {
+  const int supported = __builtin_cpu_supports("avx2");
+  if (supported && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
 #endif
@@ -74,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "3df6b385562277a8") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "a862d83d9702b5c2") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -50,7 +50,7 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
 static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
-  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='certified', title='Certified tier: plain results, and bounds of their errors that hold.', header='ksl_types', double=functools.partial(<function certified at 0x7f7fbf3d3920>, number=Format(digits=53, least_exponent=-1022)), single=functools.partial(<function certified at 0x7f7fbf3d3920>, number=Format(digits=24, least_exponent=-126)), operation=<function certified_operation at 0x7f7fbf3d3a60>, in_words="The certified tier: every operation returns the plain result, bit for bit, and a bound of each\ncomponent's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the\nbound is infinite or NaN, something overflowed, and it says nothing.", operations=frozenset({<Op.NEG: 'neg'>, <Op.SUB: 'sub'>, <Op.ADD: 'add'>, <Op.MUL: 'mul'>}))._dispatch");
+  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='certified', title='Certified tier: plain results, and bounds of their errors that hold.', header='ksl_types', double=functools.partial(<function certified at 0x7ff63adb00e0>, number=Format(digits=53, least_exponent=-1022)), single=functools.partial(<function certified at 0x7ff63adb00e0>, number=Format(digits=24, least_exponent=-126)), operation=<function certified_operation at 0x7ff63adbbf60>, in_words="The certified tier: every operation returns the plain result, bit for bit, and a bound of each\ncomponent's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the\nbound is infinite or NaN, something overflowed, and it says nothing.", operations=frozenset({<Op.SUB: 'sub'>, <Op.NEG: 'neg'>, <Op.ADD: 'add'>, <Op.MUL: 'mul'>}))._dispatch");
   PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
   PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
   PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);
@@ -70,14 +70,18 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
 static vectorcallfunc call_of_numpy;
 
 /* What a call of a gufunc comes to: NumPy's, but that masked arrays are refused, whose masks it does
-   not see, and that errors name the argument. */
+   not see, and pandas' tables, which pass themselves on with their axes swapped and reordered; and
+   that errors name the argument. */
 static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
   const size_t inputs = count < (size_t)ufunc->nin ? count : (size_t)ufunc->nin;
   for (size_t k = 0; k < inputs; k++) {
-    if (!PyArray_CheckExact(given[k]) && PyArray_Check(given[k])
-        && PyObject_HasAttrString((PyObject *)Py_TYPE(given[k]), "mask")) {
+    PyObject *x = given[k];
+    if (!PyArray_CheckExact(x) && !PyFloat_CheckExact(x) && !PyLong_CheckExact(x)
+        && !PyList_CheckExact(x)
+        && PyObject_HasAttrString((PyObject *)Py_TYPE(x),
+            PyArray_Check(x) ? "mask" : "__pandas_priority__")) {
       explain(ufunc, given, inputs);
       if (PyErr_Occurred()) {
         return NULL;

@@ -2636,6 +2636,192 @@ static void hsta_single(
 static PyUFuncGenericFunction hsta_loops[] = {
     hsta_double, hsta_single};
 
+/* (3,4),(3)->(6),(6) */
+INLINED void hsrainv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    ksl_screw_t so_bound;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    ksl_hsrainv_certified(&D, &axis, &so, &so_bound);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
+    store_screw_double(&so_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void hsrainv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 24, 48, 48, 32, 8, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrainv_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 48, 32, 8, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrainv_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  hsrainv_double_over(data, n[0], step, step + 4);
+}
+
+/* (3,4),(3)->(6),(6) */
+INLINED void hsrainv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    ksl_screwf_t so_bound;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    ksl_hsrainvf_certified(&D, &axis, &so, &so_bound);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
+    store_screw_single(&so_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void hsrainv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 12, 24, 24, 16, 4, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hsrainv_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 24, 16, 4, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hsrainv_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  hsrainv_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction hsrainv_loops[] = {
+    hsrainv_double, hsrainv_single};
+
+/* (3,4),(3)->(6),(6) */
+INLINED void hstainv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3_t D;
+  load_SE3_double(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t axis;
+    ksl_screw_t so;
+    ksl_screw_t so_bound;
+    if (step[0] != 0) {
+      load_SE3_double(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&axis, p1 + i * step[1], core + 2);
+    ksl_hstainv_certified(&D, &axis, &so, &so_bound);
+    store_screw_double(&so, p2 + i * step[2], core + 3);
+    store_screw_double(&so_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void hstainv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 96, 24, 48, 48, 32, 8, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstainv_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 48, 32, 8, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstainv_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  hstainv_double_over(data, n[0], step, step + 4);
+}
+
+/* (3,4),(3)->(6),(6) */
+INLINED void hstainv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_SE3f_t D;
+  load_SE3_single(&D, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t axis;
+    ksl_screwf_t so;
+    ksl_screwf_t so_bound;
+    if (step[0] != 0) {
+      load_SE3_single(&D, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&axis, p1 + i * step[1], core + 2);
+    ksl_hstainvf_certified(&D, &axis, &so, &so_bound);
+    store_screw_single(&so, p2 + i * step[2], core + 3);
+    store_screw_single(&so_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void hstainv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 48, 12, 24, 24, 16, 4, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    hstainv_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 24, 16, 4, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    hstainv_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  hstainv_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction hstainv_loops[] = {
+    hstainv_double, hstainv_single};
+
 const coscrew_gufunc TABLE(screw)[] = {
   {"screw_scale", "(6),()->(6),(6)",
     "self = a self; |error of self| <= self_bound unless inf or NaN.\n"
@@ -2828,6 +3014,21 @@ const coscrew_gufunc TABLE(screw)[] = {
     "so_bound: screw (v in m/s; ω in rad/s).\n"
     "12 mul, 15 add, 9 abs.\n",
    2, 2, hsta_loops},
+  {"hsrainv", "(3,4),(3)->(6),(6)",
+    "so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or\n"
+    "NaN.\n"
+    "\n"
+    "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
+    "so_bound: screw (v in m/s; ω in rad/s).\n"
+    "27 mul, 24 add, 3 neg, 12 abs.\n",
+   2, 2, hsrainv_loops},
+  {"hstainv", "(3,4),(3)->(6),(6)",
+    "so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.\n"
+    "\n"
+    "(3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,\n"
+    "so_bound: screw (v in m/s; ω in rad/s).\n"
+    "12 mul, 15 add, 3 neg, 9 abs.\n",
+   2, 2, hstainv_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

@@ -69,7 +69,7 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
     select.
     """
 
@@ -77,7 +77,7 @@ def vec3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
 
@@ -85,7 +85,7 @@ def vec3_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
 
@@ -93,8 +93,8 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
-    equal, 23 select.
+    42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
+    less, 7 equal, 32 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -177,12 +177,120 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ..
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """self = a self.
+
+    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+    4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """vo = k v.
+
+    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+    4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """|v| = sqrt(v·v), all four components.
+
+    (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
+    select.
+    """
+
+def vec4_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    select.
+    """
+
+def vec4_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    select.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
     12 mul, 26 add, 9 product rest.  Error <= u |result| + 28 u^2 S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
+    """
+
+def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
+    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
+    the sums of the sizes of the terms of the cofactor and of det R; barring over- and
+    underflow.
+    """
+
+def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+
+def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
+    less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near
+    gimbal lock too; searched, not proved.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
+    equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal
+    lock too; searched, not proved.
+    """
+
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+    equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
+    not proved.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -579,7 +687,7 @@ def screw_norm(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
     select.
     """
 
@@ -587,16 +695,16 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> 
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -780,6 +888,24 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) 
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = a self.
 
@@ -834,7 +960,7 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArr
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
     select.
     """
 
@@ -842,16 +968,16 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1133,7 +1259,7 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
     select.
     """
 
@@ -1141,7 +1267,7 @@ def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -1149,7 +1275,7 @@ def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) 
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
 
@@ -1198,15 +1324,16 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...)
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
-    u of its largest component; searched, not proved.
+    u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
+    searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 5 u of its largest component; searched, not proved.
+    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1214,8 +1341,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
+    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 8 equal, 31 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
     searched, not proved.
     """
 
@@ -1224,16 +1351,17 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 7 equal, 28 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;
+    searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1241,9 +1369,9 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
-    searched, not proved.
+    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
+    rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1267,7 +1395,7 @@ def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
-    16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
+    16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
     L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.
     """
 
@@ -1286,7 +1414,7 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | N
     positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
-    89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
+    96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1296,7 +1424,7 @@ def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.
     pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
-    121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
+    121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
     |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
     underflow.
     """
@@ -1318,7 +1446,7 @@ def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | N
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
-    497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
+    516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
     Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
     barring over- and underflow.
     """
@@ -1416,6 +1544,6 @@ def inertia_consistency(B: ArrayLike, out: NDArray[np.floating] | None = ...) ->
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
     select.
     """

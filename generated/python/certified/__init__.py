@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "3df6b385562277a8")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "a862d83d9702b5c2")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -35,7 +35,10 @@ if COMPILED:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -108,6 +111,8 @@ if COMPILED:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -184,7 +189,10 @@ else:
         add_vvyinv,
         add_vvz,
         add_vvzinv,
+        vec4_scale,
+        vec4_scaled,
         mat3x3_determinant,
+        mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
         product_drv,
@@ -257,6 +265,8 @@ else:
         cross_sst,
         hsra,
         hsta,
+        hsrainv,
+        hstainv,
         coscrew_scale,
         axpy_cc,
         xpy_cc,
@@ -334,7 +344,10 @@ __all__ = [
     "add_vvyinv",
     "add_vvz",
     "add_vvzinv",
+    "vec4_scale",
+    "vec4_scaled",
     "mat3x3_determinant",
+    "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
     "product_drv",
@@ -407,6 +420,8 @@ __all__ = [
     "cross_sst",
     "hsra",
     "hsta",
+    "hsrainv",
+    "hstainv",
     "coscrew_scale",
     "axpy_cc",
     "xpy_cc",

@@ -82,6 +82,17 @@ def SE3_invert(self):
         self_12, self_22, self_23_new)
 
 
+@kernel("(3,4)->(4,4)")
+def SE3_toMat4x4(D):
+    """M = [[R, t], [0, 1]] of D = [R | t].
+
+    (3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    return (D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23, 0, 0, 0, 1)
+
+
 @kernel("(3,4)->(3,4)")
 def SE3_inverted(D):
     """Do = D^-1 = [R^T | -R^T t].

@@ -93,28 +93,28 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -197,6 +197,69 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...
     1 add.  Error <= u |result|, barring over- and underflow.
     """
 
+def vec4_copy(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = vi.
+
+    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+    No arithmetic.  Exact.
+    """
+
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = a self.
+
+    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_inverted(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = -vi.
+
+    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+    4 neg.  Exact.
+    """
+
+def vec4_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = -self.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    4 neg.  Exact.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = k v.
+
+    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+    4 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def vec4_swap(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """v1, v2 = v2, v1.
+
+    (4),(4)->(4),(4).  v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+    No arithmetic.  Exact.
+    """
+
+def vec4_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """|v| = sqrt(v·v), all four components.
+
+    (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    """
+
+def vec4_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    """
+
+def vec4_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    """
+
 def mat3x3_copy(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Ro = R.
 
@@ -247,6 +310,84 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     formula; barring over- and underflow.
     """
 
+def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
+    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
+    cofactor and of det R; barring over- and underflow.
+    """
+
+def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    14 mul, 4 add, 3 sin, 3 cos, 3 neg.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
+    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    14 mul, 4 add, 3 sin, 3 cos, 2 neg.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
+    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
+    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    """
+
 def SE3_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """D = [R | t].
 
@@ -291,12 +432,54 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     the expanded formula; barring over- and underflow.
     """
 
+def SE3_toMat4x4(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]] of D = [R | t].
+
+    (3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
 def SE3_inverted(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
     9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of
     the expanded formula; barring over- and underflow.
+    """
+
+def mat4x4_fromSE3(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]] of D = [R | t].
+
+    (3,4)->(4,4).  D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = [[R, t], [0, 1]].
+
+    (3,3),(3)->(4,4).  R: rotation or other 3×3 matrix; t: vector; M: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_toSE3(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """D = [R | t], the first three rows of M.
+
+    (4,4)->(3,4).  M: 4×4 matrix; D: displacement [R | t], R rotation, t in m.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_setIdentity(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """self = I.
+
+    (4,4)->(4,4).  self: 4×4 matrix.
+    No arithmetic.  Exact.
+    """
+
+def mat4x4_getTranslation(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """t, the first three entries of the last column of M.
+
+    (4,4)->(3).  M: 4×4 matrix; t: vector.
+    No arithmetic.  Exact.
     """
 
 def mat6x6_copy(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -726,21 +909,21 @@ def screw_norm(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def screw_from_lin_ang(lin: ArrayLike, ang: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -987,6 +1170,24 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -
     expanded formula; barring over- and underflow.
     """
 
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+
 def ad(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
 
@@ -1069,21 +1270,21 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def coscrew_from_lin_ang(lin: ArrayLike, ang: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1456,21 +1657,21 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1517,7 +1718,8 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1525,14 +1727,15 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
-    component; searched, not proved.
+    component for R a rotation; searched, not proved.
     """
 
 def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = (axis sin angle/2; cos angle/2); axis of length 1.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.
+    4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
+    not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1540,7 +1743,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
 
@@ -1548,8 +1751,9 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its
-    largest component; searched, not proved.
+    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1557,7 +1761,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
 
@@ -1565,40 +1769,44 @@ def quaternion_slerp(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-    select.  Error <= qo: 12 u of its largest component; searched, not proved.
+    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
+    select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    1; searched, not proved.
     """
 
 def SO3_exp(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
+    vo: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
 
 def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.  Error <= R: 5 u of
-    its largest component; searched, not proved.
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
+    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
+    not proved.
     """
 
 def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1606,8 +1814,8 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...)
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.  Error <= R: 5 u of
-    its largest component; searched, not proved.
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
+    u of its largest component for |v| <= π; searched, not proved.
     """
 
 def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1615,16 +1823,16 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
+    its largest component for |v| <= π; searched, not proved.
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;
-    searched, not proved.
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component
+    for |axis| = 1; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1632,8 +1840,8 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1656,56 +1864,58 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.  Error <= R: 5 u, t: 8 u of
-    its largest component; searched, not proved.
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
+    θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
+    s| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
-    lin: 14 u, ang: 8 u of its largest component; searched, not proved.
+    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
+    lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
-    of its largest component; searched, not proved.
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
-    of its largest component; searched, not proved.
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
+    M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
-    its largest component; searched, not proved.
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
+    9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
-    its largest component; searched, not proved.
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
+    9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
-    select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.
+    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
+    select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
+    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

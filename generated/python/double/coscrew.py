@@ -185,7 +185,7 @@ def coscrew_norm(ci):
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
@@ -200,13 +200,15 @@ def coscrew_norm(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
 
@@ -216,7 +218,7 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_2) < 1e-09, float64(1), float64(0))
@@ -231,7 +233,8 @@ def coscrew_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -265,7 +268,7 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
@@ -280,7 +283,8 @@ def coscrew_normalized(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s

@@ -65,7 +65,7 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -76,14 +76,16 @@ def quaternion_norm(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
 
@@ -93,7 +95,7 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -104,7 +106,8 @@ def quaternion_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -133,7 +136,7 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -144,7 +147,8 @@ def quaternion_normalized(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
@@ -274,7 +278,8 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -323,7 +328,7 @@ def quaternion_from_mat3x3(R):
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
-    component; searched, not proved.
+    component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -369,7 +374,8 @@ def quaternion_from_axis_angle(axis, angle):
     """qo = (axis sin angle/2; cos angle/2); axis of length 1.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component; searched, not proved.
+    4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
+    not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -387,27 +393,43 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
@@ -424,19 +446,49 @@ def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.  Error <= qo: 7 u of its
-    largest component; searched, not proved.
+    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
     v_0, v_1, v_2 = v
     h_0 = 0.5 * v_0
     h_1 = 0.5 * v_1
     h_2 = 0.5 * v_2
-    x = h_0 * h_0 + h_1 * h_1 + h_2 * h_2
-    size = sqrt(x)
-    cosine = where(x < 1, 1, cos(size))
-    sine = where(x < 1, 1, sin(size))
-    divisor = where(x < 1, 2, size)
-    far_k = sine / divisor
+    size_0 = absolute(h_0)
+    size_1 = absolute(h_1)
+    size_2 = absolute(h_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 268435456
+    shifted_0 = h_0 + grid
+    shifted_1 = h_1 + grid
+    shifted_2 = h_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
+    low_0 = h_0 - high_0
+    low_1 = h_1 - high_1
+    low_2 = h_2 - high_2
+    sum_0 = h_0 + high_0
+    sum_1 = h_1 + high_1
+    sum_2 = h_2 + high_2
+    squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
+    cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
+    x = squares + cross
+    theta = where(x < 1, 1, sqrt(x))
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
+    theta_low = theta - theta_high
+    theta_sum = theta + theta_high
+    cross_rest = cross - theta_low * theta_sum
+    exact = squares - theta_high * theta_high
+    residual = cross_rest + exact
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
+    far_sine = where(x < 1, 1, sin(theta))
+    far_cosine = where(x < 1, 0, cos(theta))
+    sine = delta * far_cosine + far_sine
+    cosine = far_cosine - delta * far_sine
+    far_k = sine / theta
     k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
     k_f = k_e - 8.22063524662433e-18
     k_g = x * k_f
@@ -492,27 +544,43 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -529,8 +597,9 @@ def quaternion_slerp(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
-    select.  Error <= qo: 12 u of its largest component; searched, not proved.
+    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
+    select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    1; searched, not proved.
     """
     q1_0, q1_1, q1_2, q1_3 = q1
     q2_0, q2_1, q2_2, q2_3 = q2
@@ -548,13 +617,15 @@ def quaternion_slerp(q1, q2, k):
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -565,12 +636,41 @@ def quaternion_slerp(q1, q2, k):
     step_0 = rate * kv_0
     step_1 = rate * kv_1
     step_2 = rate * kv_2
-    exp_x = step_0 * step_0 + step_1 * step_1 + step_2 * step_2
-    exp_size = sqrt(exp_x)
-    exp_cosine = where(exp_x < 1, 1, cos(exp_size))
-    exp_sine = where(exp_x < 1, 1, sin(exp_size))
-    exp_divisor = where(exp_x < 1, 2, exp_size)
-    exp_far_k = exp_sine / exp_divisor
+    exp_size_0 = absolute(step_0)
+    exp_size_1 = absolute(step_1)
+    exp_size_2 = absolute(step_2)
+    exp_sizes = exp_size_0 + exp_size_1 + exp_size_2
+    exp_grid = exp_sizes * 268435456
+    exp_shifted_0 = step_0 + exp_grid
+    exp_shifted_1 = step_1 + exp_grid
+    exp_shifted_2 = step_2 + exp_grid
+    exp_high_0 = exp_shifted_0 - exp_grid
+    exp_high_1 = exp_shifted_1 - exp_grid
+    exp_high_2 = exp_shifted_2 - exp_grid
+    exp_low_0 = step_0 - exp_high_0
+    exp_low_1 = step_1 - exp_high_1
+    exp_low_2 = step_2 - exp_high_2
+    exp_sum_0 = step_0 + exp_high_0
+    exp_sum_1 = step_1 + exp_high_1
+    exp_sum_2 = step_2 + exp_high_2
+    exp_squares = exp_high_0 * exp_high_0 + exp_high_1 * exp_high_1 + exp_high_2 * exp_high_2
+    exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
+    exp_x = exp_squares + exp_cross
+    exp_theta = where(exp_x < 1, 1, sqrt(exp_x))
+    exp_theta_shifted = exp_grid + exp_theta
+    exp_theta_high = exp_theta_shifted - exp_grid
+    exp_theta_low = exp_theta - exp_theta_high
+    exp_theta_sum = exp_theta + exp_theta_high
+    exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
+    exp_exact = exp_squares - exp_theta_high * exp_theta_high
+    exp_residual = exp_cross_rest + exp_exact
+    exp_small = 0.5 * exp_residual / exp_theta
+    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
+    exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
+    exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
+    exp_sine = exp_delta * exp_far_cosine + exp_far_sine
+    exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
+    exp_far_k = exp_sine / exp_theta
     exp_k_c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
     exp_k_d = exp_k_c + 1.9572941063391263e-20
     exp_k_e = exp_x * exp_k_d

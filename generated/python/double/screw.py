@@ -185,7 +185,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
@@ -200,13 +200,15 @@ def screw_norm(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
 
@@ -216,7 +218,7 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
@@ -231,7 +233,8 @@ def screw_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -265,7 +268,7 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
@@ -280,7 +283,8 @@ def screw_normalized(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -816,6 +820,46 @@ def hsta(D, axis):
     so_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
     so_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
     so_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
+    return (so_0, so_1, so_2, 0, 0, 0)
+
+
+@kernel("(3,4),(3)->(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
+    a_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
+    a_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
+    so_0 = D_23 * a_1 - D_13 * a_2
+    so_1 = D_03 * a_2 - D_23 * a_0
+    so_2 = D_13 * a_0 - D_03 * a_1
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    return (so_0, so_1, so_2, so_3, so_4, so_5)
+
+
+@kernel("(3,4),(3)->(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0 = -(D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2)
+    so_1 = -(D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2)
+    so_2 = -(D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2)
     return (so_0, so_1, so_2, 0, 0, 0)
 
 

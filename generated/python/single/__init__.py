@@ -35,6 +35,17 @@ from coscrew.single.vec3 import (
     add_vvz,
     add_vvzinv,
 )
+from coscrew.single.vec4 import (
+    vec4_copy,
+    vec4_scale,
+    vec4_inverted,
+    vec4_invert,
+    vec4_scaled,
+    vec4_swap,
+    vec4_l2norm,
+    vec4_normalize,
+    vec4_normalized,
+)
 from coscrew.single.mat3x3 import (
     mat3x3_copy,
     mat3x3_setIdentity,
@@ -43,6 +54,17 @@ from coscrew.single.mat3x3 import (
     mat3x3_transpose,
     mat3x3_transposed,
     mat3x3_determinant,
+    mat3x3_inverse,
+    mat3x3_normalize,
+    mat3x3_normalized,
+    mat3x3_setFromAxisDC,
+    mat3x3_from_euler_xyz,
+    euler_xyz_from_mat3x3,
+    mat3x3_from_euler_xyx,
+    euler_xyx_from_mat3x3,
+    mat3x3_jacobi,
+    mat3x3_from_axis_angle,
+    axis_angle_from_mat3x3,
 )
 from coscrew.single.SE3 import (
     SE3_fromRt,
@@ -51,7 +73,15 @@ from coscrew.single.SE3 import (
     SE3_getTranslation,
     SE3_getRotation,
     SE3_invert,
+    SE3_toMat4x4,
     SE3_inverted,
+)
+from coscrew.single.mat4x4 import (
+    mat4x4_fromSE3,
+    mat4x4_fromRt,
+    mat4x4_toSE3,
+    mat4x4_setIdentity,
+    mat4x4_getTranslation,
 )
 from coscrew.single.mat6x6 import (
     mat6x6_copy,
@@ -149,6 +179,8 @@ from coscrew.single.screw import (
     cross_sst,
     hsra,
     hsta,
+    hsrainv,
+    hstainv,
     ad,
 )
 from coscrew.single.coscrew import (
@@ -236,8 +268,6 @@ from coscrew.single.exponential import (
     SO3_rightJacobian,
     SO3_leftJacobianInverse,
     SO3_rightJacobianInverse,
-    mat3x3_from_axis_angle,
-    axis_angle_from_mat3x3,
     mat3x3_orthonormalize,
     mat3x3_orthonormalized,
     SE3_exp,

@@ -185,7 +185,7 @@ def coscrew_norm(ci):
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 1e-06, float32(1), float32(0))
@@ -200,12 +200,14 @@ def coscrew_norm(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r = where(1 < s, 7.888609e-31, where(s < 1, float32(3.689349e+19), float32(1)))
+    r_d = where(1 < s, 5.551115e-17, where(s < 1, float32(3.689349e+19), float32(1)))
+    r = where(1.8014399e+16 < s, 3.081488e-33, r_d)
     norm = n * r
     return norm
 
@@ -215,7 +217,7 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_2) < 1e-06, float32(1), float32(0))
@@ -230,7 +232,8 @@ def coscrew_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -264,7 +267,7 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 1e-06, float32(1), float32(0))
@@ -279,7 +282,8 @@ def coscrew_normalized(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s = where(s_largest2 < 8.881784e-16, 1.2676506e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
+    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s

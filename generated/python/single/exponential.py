@@ -15,16 +15,22 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
     v_0, v_1, v_2 = v
-    shifted_0 = v_0 + 49152
-    shifted_1 = v_1 + 49152
-    shifted_2 = v_2 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(v_0)
+    size_1 = absolute(v_1)
+    size_2 = absolute(v_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = v_0 + grid
+    shifted_1 = v_1 + grid
+    shifted_2 = v_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = v_0 - high_0
     low_1 = v_1 - high_1
     low_2 = v_2 - high_2
@@ -35,14 +41,15 @@ def SO3_exp(v):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -122,8 +129,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
+    vo: 5 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -162,12 +169,14 @@ def SO3_log(R):
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -184,16 +193,22 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
+    proved.
     """
     v_0, v_1, v_2 = v
-    shifted_0 = v_0 + 49152
-    shifted_1 = v_1 + 49152
-    shifted_2 = v_2 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(v_0)
+    size_1 = absolute(v_1)
+    size_2 = absolute(v_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = v_0 + grid
+    shifted_1 = v_1 + grid
+    shifted_2 = v_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = v_0 - high_0
     low_1 = v_1 - high_1
     low_2 = v_2 - high_2
@@ -204,14 +219,15 @@ def SO3_leftJacobian(v):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -312,16 +328,22 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.  Error <= R: 5 u of
-    its largest component; searched, not proved.
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
+    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
+    not proved.
     """
     v_0, v_1, v_2 = v
-    shifted_0 = v_0 + 49152
-    shifted_1 = v_1 + 49152
-    shifted_2 = v_2 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(v_0)
+    size_1 = absolute(v_1)
+    size_2 = absolute(v_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = v_0 + grid
+    shifted_1 = v_1 + grid
+    shifted_2 = v_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = v_0 - high_0
     low_1 = v_1 - high_1
     low_2 = v_2 - high_2
@@ -332,14 +354,15 @@ def SO3_rightJacobian(v):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -441,16 +464,21 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.  Error <= R: 5 u of
-    its largest component; searched, not proved.
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
+    u of its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
-    shifted_0 = v_0 + 49152
-    shifted_1 = v_1 + 49152
-    shifted_2 = v_2 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(v_0)
+    size_1 = absolute(v_1)
+    size_2 = absolute(v_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = v_0 + grid
+    shifted_1 = v_1 + grid
+    shifted_2 = v_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = v_0 - high_0
     low_1 = v_1 - high_1
     low_2 = v_2 - high_2
@@ -461,14 +489,15 @@ def SO3_leftJacobianInverse(v):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -541,16 +570,21 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.  Error <= R: 5 u of its
-    largest component; searched, not proved.
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
+    its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
-    shifted_0 = v_0 + 49152
-    shifted_1 = v_1 + 49152
-    shifted_2 = v_2 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(v_0)
+    size_1 = absolute(v_1)
+    size_2 = absolute(v_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = v_0 + grid
+    shifted_1 = v_1 + grid
+    shifted_2 = v_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = v_0 - high_0
     low_1 = v_1 - high_1
     low_2 = v_2 - high_2
@@ -561,14 +595,15 @@ def SO3_rightJacobianInverse(v):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -633,110 +668,6 @@ def SO3_rightJacobianInverse(v):
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
-
-
-@kernel("(3),()->(3,3)")
-def mat3x3_from_axis_angle(axis, angle):
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
-
-    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component;
-    searched, not proved.
-    """
-    axis_0, axis_1, axis_2 = axis
-    half = 0.5 * angle
-    h = sin(half)
-    cosine = cos(angle)
-    versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
-    sine = sin(angle)
-    beta_v_0 = axis_0 * versine
-    beta_v_1 = axis_1 * versine
-    beta_v_2 = axis_2 * versine
-    m_0 = axis_0 * beta_v_0
-    m_1 = axis_1 * beta_v_1
-    m_2 = axis_2 * beta_v_2
-    m_3 = axis_1 * beta_v_0
-    m_4 = axis_2 * beta_v_0
-    m_5 = axis_2 * beta_v_1
-    others_0 = m_1 + m_2
-    others_1 = m_0 + m_2
-    others_2 = m_0 + m_1
-    alpha_v_0 = axis_0 * sine
-    alpha_v_1 = axis_1 * sine
-    alpha_v_2 = axis_2 * sine
-    R_00 = 1 - others_0
-    R_01 = m_3 - alpha_v_2
-    R_02 = m_4 + alpha_v_1
-    R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
-    R_12 = m_5 - alpha_v_0
-    R_20 = m_4 - alpha_v_1
-    R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
-
-
-@kernel("(3,3)->(),(3)")
-def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
-
-    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    p_0 = R_21 - R_12
-    p_1 = R_02 - R_20
-    p_2 = R_10 - R_01
-    s_0 = R_12 + R_21
-    s_1 = R_02 + R_20
-    s_2 = R_01 + R_10
-    first_0 = R_00 + 1
-    first_1 = 1 - R_00
-    others_0 = R_11 + R_22
-    others_1 = R_11 - R_22
-    d_0 = first_0 + others_0
-    d_1 = first_0 - others_0
-    d_2 = first_1 + others_1
-    d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
-    v_y_0 = upper_0 * v_s
-    v_y_1 = upper_1 * v_s
-    v_y_2 = upper_2 * v_s
-    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    n = v_n * v_r
-    half = arctan2(n, upper_3)
-    divisor = where(v_n == 0, 1, v_n)
-    unit_0 = v_y_0 / divisor
-    unit_1 = v_y_1 / divisor
-    unit_2 = v_y_2 / divisor
-    angle = 2 * half
-    axis_0 = where(v_n == 0, 1, unit_0)
-    return (angle, axis_0, unit_1, unit_2)
 
 
 @kernel("(3,3)->(3,3)")
@@ -814,16 +745,22 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.  Error <= R: 5 u, t: 8 u of
-    its largest component; searched, not proved.
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
+    θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
+    s| <= 1e13, in single precision 1e5; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    shifted_0 = s_3 + 49152
-    shifted_1 = s_4 + 49152
-    shifted_2 = s_5 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(s_3)
+    size_1 = absolute(s_4)
+    size_2 = absolute(s_5)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = s_3 + grid
+    shifted_1 = s_4 + grid
+    shifted_2 = s_5 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = s_3 - high_0
     low_1 = s_4 - high_1
     low_2 = s_5 - high_2
@@ -834,14 +771,15 @@ def SE3_exp(s):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -960,8 +898,8 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.  Error <=
-    lin: 14 u, ang: 8 u of its largest component; searched, not proved.
+    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
+    lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -1000,12 +938,14 @@ def SE3_log(D):
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s = where(v_s_largest2 < 8.881784e-16, 1.2676506e+30, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = where(1 < v_s, 7.888609e-31, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
+    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1074,16 +1014,21 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.  Error <= M: 14 u
-    of its largest component; searched, not proved.
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    shifted_0 = s_3 + 49152
-    shifted_1 = s_4 + 49152
-    shifted_2 = s_5 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(s_3)
+    size_1 = absolute(s_4)
+    size_2 = absolute(s_5)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = s_3 + grid
+    shifted_1 = s_4 + grid
+    shifted_2 = s_5 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = s_3 - high_0
     low_1 = s_4 - high_1
     low_2 = s_5 - high_2
@@ -1094,14 +1039,15 @@ def SE3_leftJacobian(s):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1277,16 +1223,21 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.  Error <= M: 14 u
-    of its largest component; searched, not proved.
+    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
+    M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    shifted_0 = s_3 + 49152
-    shifted_1 = s_4 + 49152
-    shifted_2 = s_5 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(s_3)
+    size_1 = absolute(s_4)
+    size_2 = absolute(s_5)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = s_3 + grid
+    shifted_1 = s_4 + grid
+    shifted_2 = s_5 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = s_3 - high_0
     low_1 = s_4 - high_1
     low_2 = s_5 - high_2
@@ -1297,14 +1248,15 @@ def SE3_rightJacobian(s):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1480,16 +1432,21 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
-    its largest component; searched, not proved.
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
+    9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    shifted_0 = s_3 + 49152
-    shifted_1 = s_4 + 49152
-    shifted_2 = s_5 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(s_3)
+    size_1 = absolute(s_4)
+    size_2 = absolute(s_5)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = s_3 + grid
+    shifted_1 = s_4 + grid
+    shifted_2 = s_5 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = s_3 - high_0
     low_1 = s_4 - high_1
     low_2 = s_5 - high_2
@@ -1500,14 +1457,15 @@ def SE3_leftJacobianInverse(s):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1643,16 +1601,21 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.  Error <= M: 9 u of
-    its largest component; searched, not proved.
+    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
+    9 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    shifted_0 = s_3 + 49152
-    shifted_1 = s_4 + 49152
-    shifted_2 = s_5 + 49152
-    high_0 = shifted_0 - 49152
-    high_1 = shifted_1 - 49152
-    high_2 = shifted_2 - 49152
+    size_0 = absolute(s_3)
+    size_1 = absolute(s_4)
+    size_2 = absolute(s_5)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = s_3 + grid
+    shifted_1 = s_4 + grid
+    shifted_2 = s_5 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
     low_0 = s_3 - high_0
     low_1 = s_4 - high_1
     low_2 = s_5 - high_2
@@ -1663,14 +1626,15 @@ def SE3_rightJacobianInverse(s):
     cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
     x = squares + cross
     theta = where(x < 1, 1, sqrt(x))
-    theta_shifted = theta + 49152
-    theta_high = theta_shifted - 49152
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
     theta_low = theta - theta_high
     theta_sum = theta + theta_high
     cross_rest = cross - theta_low * theta_sum
     exact = squares - theta_high * theta_high
     residual = cross_rest + exact
-    delta = 0.5 * residual / theta
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
     far_sine = where(x < 1, 1, sin(theta))
     far_cosine = where(x < 1, 0, cos(theta))
     sine = delta * far_cosine + far_sine
@@ -1806,8 +1770,9 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
-    select.  Error <= R: 12 u, t: 20 u of its largest component; searched, not proved.
+    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
+    select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
+    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2
@@ -1862,13 +1827,15 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
     log_v_s_b = where(4.611686e+18 < log_v_s_largest2, float32(2.7105054e-20), float32(1))
-    log_v_s = where(log_v_s_largest2 < 8.881784e-16, 1.2676506e+30, log_v_s_b)
+    log_v_s_d = where(log_v_s_largest2 < 256, 1.8014399e+16, log_v_s_b)
+    log_v_s = where(log_v_s_largest2 < 1.4210855e-14, 3.2451855e+32, log_v_s_d)
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
     log_v_r_b = where(log_v_s < 1, float32(3.689349e+19), float32(1))
-    log_v_r = where(1 < log_v_s, 7.888609e-31, log_v_r_b)
+    log_v_r_d = where(1 < log_v_s, 5.551115e-17, log_v_r_b)
+    log_v_r = where(1.8014399e+16 < log_v_s, 3.081488e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = arctan2(log_n, log_upper_3)
     log_divisor = where(log_n == 0, 1, log_n)
@@ -1937,12 +1904,17 @@ def SE3_interpolated(D1, D2, k):
     screw_3 = k * log_vector_0
     screw_4 = k * log_vector_1
     screw_5 = k * log_vector_2
-    exp_shifted_0 = screw_3 + 49152
-    exp_shifted_1 = screw_4 + 49152
-    exp_shifted_2 = screw_5 + 49152
-    exp_high_0 = exp_shifted_0 - 49152
-    exp_high_1 = exp_shifted_1 - 49152
-    exp_high_2 = exp_shifted_2 - 49152
+    exp_size_0 = absolute(screw_3)
+    exp_size_1 = absolute(screw_4)
+    exp_size_2 = absolute(screw_5)
+    exp_sizes = exp_size_0 + exp_size_1 + exp_size_2
+    exp_grid = exp_sizes * 8192
+    exp_shifted_0 = screw_3 + exp_grid
+    exp_shifted_1 = screw_4 + exp_grid
+    exp_shifted_2 = screw_5 + exp_grid
+    exp_high_0 = exp_shifted_0 - exp_grid
+    exp_high_1 = exp_shifted_1 - exp_grid
+    exp_high_2 = exp_shifted_2 - exp_grid
     exp_low_0 = screw_3 - exp_high_0
     exp_low_1 = screw_4 - exp_high_1
     exp_low_2 = screw_5 - exp_high_2
@@ -1953,14 +1925,15 @@ def SE3_interpolated(D1, D2, k):
     exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
     exp_x = exp_squares + exp_cross
     exp_theta = where(exp_x < 1, 1, sqrt(exp_x))
-    exp_theta_shifted = exp_theta + 49152
-    exp_theta_high = exp_theta_shifted - 49152
+    exp_theta_shifted = exp_grid + exp_theta
+    exp_theta_high = exp_theta_shifted - exp_grid
     exp_theta_low = exp_theta - exp_theta_high
     exp_theta_sum = exp_theta + exp_theta_high
     exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
     exp_exact = exp_squares - exp_theta_high * exp_theta_high
     exp_residual = exp_cross_rest + exp_exact
-    exp_delta = 0.5 * exp_residual / exp_theta
+    exp_small = 0.5 * exp_residual / exp_theta
+    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
     exp_far_sine = where(exp_x < 1, 1, sin(exp_theta))
     exp_far_cosine = where(exp_x < 1, 0, cos(exp_theta))
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine

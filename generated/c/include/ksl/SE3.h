@@ -210,6 +210,41 @@ static inline void ksl_SE3_invert(ksl_SE3_t *self) {
   self->m23 = self_23_new;
 }
 
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_SE3_toMat4x4(const ksl_SE3_t *D, ksl_mat4x4_t *M) {
+  const double D_m00 = D->m00;
+  const double D_m01 = D->m01;
+  const double D_m02 = D->m02;
+  const double D_m03 = D->m03;
+  const double D_m10 = D->m10;
+  const double D_m11 = D->m11;
+  const double D_m12 = D->m12;
+  const double D_m13 = D->m13;
+  const double D_m20 = D->m20;
+  const double D_m21 = D->m21;
+  const double D_m22 = D->m22;
+  const double D_m23 = D->m23;
+  M->m00 = D_m00;
+  M->m01 = D_m01;
+  M->m02 = D_m02;
+  M->m03 = D_m03;
+  M->m10 = D_m10;
+  M->m11 = D_m11;
+  M->m12 = D_m12;
+  M->m13 = D_m13;
+  M->m20 = D_m20;
+  M->m21 = D_m21;
+  M->m22 = D_m22;
+  M->m23 = D_m23;
+  M->m30 = 0.0;
+  M->m31 = 0.0;
+  M->m32 = 0.0;
+  M->m33 = 1.0;
+}
+
 /* Do = D^-1 = [R^T | -R^T t].
    D, Do: displacement [R | t], R rotation, t in m.
    9 mul, 6 add, 3 neg.
@@ -445,6 +480,41 @@ static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
   self->m20 = self_m02;
   self->m21 = self_m12;
   self->m23 = self_23_new;
+}
+
+/* M = [[R, t], [0, 1]] of D = [R | t].
+   D: displacement [R | t], R rotation, t in m; M: 4×4 matrix.
+   No arithmetic.
+   Exact. */
+static inline void ksl_SE3f_toMat4x4f(const ksl_SE3f_t *D, ksl_mat4x4f_t *M) {
+  const float D_m00 = D->m00;
+  const float D_m01 = D->m01;
+  const float D_m02 = D->m02;
+  const float D_m03 = D->m03;
+  const float D_m10 = D->m10;
+  const float D_m11 = D->m11;
+  const float D_m12 = D->m12;
+  const float D_m13 = D->m13;
+  const float D_m20 = D->m20;
+  const float D_m21 = D->m21;
+  const float D_m22 = D->m22;
+  const float D_m23 = D->m23;
+  M->m00 = D_m00;
+  M->m01 = D_m01;
+  M->m02 = D_m02;
+  M->m03 = D_m03;
+  M->m10 = D_m10;
+  M->m11 = D_m11;
+  M->m12 = D_m12;
+  M->m13 = D_m13;
+  M->m20 = D_m20;
+  M->m21 = D_m21;
+  M->m22 = D_m22;
+  M->m23 = D_m23;
+  M->m30 = 0.0f;
+  M->m31 = 0.0f;
+  M->m32 = 0.0f;
+  M->m33 = 1.0f;
 }
 
 /* Do = D^-1 = [R^T | -R^T t].

@@ -12,15 +12,21 @@
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -34,14 +40,15 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -108,8 +115,8 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -147,14 +154,16 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -170,15 +179,21 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -192,14 +207,15 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -277,15 +293,21 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -299,14 +321,15 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -385,15 +408,20 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -407,14 +435,15 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -480,15 +509,20 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double shifted_0 = v->x + 1610612736.0;
-  const double shifted_1 = v->y + 1610612736.0;
-  const double shifted_2 = v->z + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(v->x);
+  const double size_1 = fabs(v->y);
+  const double size_2 = fabs(v->z);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = v->x + grid;
+  const double shifted_1 = v->y + grid;
+  const double shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = v->x - high_0;
   const double low_1 = v->y - high_1;
   const double low_2 = v->z - high_2;
@@ -502,14 +536,15 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -570,116 +605,6 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   R->m20 = R_20;
   R->m21 = R_21;
   R->m22 = diagonal2;
-}
-
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
-   axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
-static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
-    ksl_mat3x3_t *R) {
-  const double half = 0.5 * angle;
-  const double h = sin(half);
-  const double cosine = cos(angle);
-  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
-      versine = cosine < 0.0 ? versine_c : versine_b;
-  const double sine = sin(angle);
-  const double beta_v_0 = axis->x * versine;
-  const double beta_v_1 = axis->y * versine;
-  const double beta_v_2 = axis->z * versine;
-  const double m_0 = axis->x * beta_v_0;
-  const double m_1 = axis->y * beta_v_1;
-  const double m_2 = axis->z * beta_v_2;
-  const double m_3 = axis->y * beta_v_0;
-  const double m_4 = axis->z * beta_v_0;
-  const double m_5 = axis->z * beta_v_1;
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = axis->x * sine;
-  const double alpha_v_1 = axis->y * sine;
-  const double alpha_v_2 = axis->z * sine;
-  const double R_00 = 1.0 - others_0;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_11 = 1.0 - others_1;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
-  const double R_22 = 1.0 - others_2;
-  R->m00 = R_00;
-  R->m01 = R_01;
-  R->m02 = R_02;
-  R->m10 = R_10;
-  R->m11 = R_11;
-  R->m12 = R_12;
-  R->m20 = R_20;
-  R->m21 = R_21;
-  R->m22 = R_22;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n = v_n * v_r;
-  const double half = atan2(n, upper_3);
-  const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
-  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
-  axis->x = axis_0;
-  axis->y = unit_1;
-  axis->z = unit_2;
-  return angle;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -820,15 +745,21 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
-   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
+   Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -842,14 +773,15 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -949,8 +881,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
+   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -988,14 +920,16 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -1052,15 +986,20 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -1074,14 +1013,15 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1263,15 +1203,20 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -1285,14 +1230,15 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1474,15 +1420,20 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -1496,14 +1447,15 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1661,15 +1613,20 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double shifted_0 = s->m3 + 1610612736.0;
-  const double shifted_1 = s->m4 + 1610612736.0;
-  const double shifted_2 = s->m5 + 1610612736.0;
-  const double high_0 = shifted_0 - 1610612736.0;
-  const double high_1 = shifted_1 - 1610612736.0;
-  const double high_2 = shifted_2 - 1610612736.0;
+  const double size_0 = fabs(s->m3);
+  const double size_1 = fabs(s->m4);
+  const double size_2 = fabs(s->m5);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = s->m3 + grid;
+  const double shifted_1 = s->m4 + grid;
+  const double shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
   const double low_0 = s->m3 - high_0;
   const double low_1 = s->m4 - high_1;
   const double low_2 = s->m5 - high_2;
@@ -1683,14 +1640,15 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = theta + 1610612736.0;
-  const double theta_high = theta_shifted - 1610612736.0;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
   const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const double exact_a = theta_high * theta_high, exact = squares - exact_a;
   const double residual = cross_rest + exact;
-  const double delta_a = 0.5 * residual, delta = delta_a / theta;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
   const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -1848,9 +1806,10 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
+   Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -1932,7 +1891,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      log_v_s = log_v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : log_v_s_b;
+      log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
+      log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
   const double log_v_y_0 = log_upper_0 * log_v_s;
   const double log_v_y_1 = log_upper_1 * log_v_s;
   const double log_v_y_2 = log_upper_2 * log_v_s;
@@ -1940,7 +1900,8 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
   const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      log_v_r = 1.0 < log_v_s ? 2.409919865102884e-181 : log_v_r_b;
+      log_v_r_d = 1.0 < log_v_s ? 7.637340908749012e-152 : log_v_r_b,
+      log_v_r = 1.3093562431584567e+151 < log_v_s ? 9.332636185032189e-302 : log_v_r_d;
   const double log_n = log_v_n * log_v_r;
   const double log_half = atan2(log_n, log_upper_3);
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
@@ -2004,12 +1965,17 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double screw_3 = k * log_vector_0;
   const double screw_4 = k * log_vector_1;
   const double screw_5 = k * log_vector_2;
-  const double exp_shifted_0 = screw_3 + 1610612736.0;
-  const double exp_shifted_1 = screw_4 + 1610612736.0;
-  const double exp_shifted_2 = screw_5 + 1610612736.0;
-  const double exp_high_0 = exp_shifted_0 - 1610612736.0;
-  const double exp_high_1 = exp_shifted_1 - 1610612736.0;
-  const double exp_high_2 = exp_shifted_2 - 1610612736.0;
+  const double exp_size_0 = fabs(screw_3);
+  const double exp_size_1 = fabs(screw_4);
+  const double exp_size_2 = fabs(screw_5);
+  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_grid = exp_sizes * 268435456.0;
+  const double exp_shifted_0 = screw_3 + exp_grid;
+  const double exp_shifted_1 = screw_4 + exp_grid;
+  const double exp_shifted_2 = screw_5 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid;
+  const double exp_high_1 = exp_shifted_1 - exp_grid;
+  const double exp_high_2 = exp_shifted_2 - exp_grid;
   const double exp_low_0 = screw_3 - exp_high_0;
   const double exp_low_1 = screw_4 - exp_high_1;
   const double exp_low_2 = screw_5 - exp_high_2;
@@ -2024,15 +1990,16 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       exp_cross = exp_cross_c + exp_cross_d;
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
-  const double exp_theta_shifted = exp_theta + 1610612736.0;
-  const double exp_theta_high = exp_theta_shifted - 1610612736.0;
+  const double exp_theta_shifted = exp_grid + exp_theta;
+  const double exp_theta_high = exp_theta_shifted - exp_grid;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
   const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_delta_a = 0.5 * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
   const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine_a = cos(exp_theta),
       exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
@@ -2173,15 +2140,21 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   48 mul, 67 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 less, 10 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.
+   Error <= R: (5 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -2195,14 +2168,15 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2266,8 +2240,8 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -2305,13 +2279,15 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -2327,15 +2303,21 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -2349,14 +2331,15 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2429,15 +2412,21 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   59 mul, 79 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 5 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
+   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -2451,14 +2440,15 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2532,15 +2522,20 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -2554,14 +2549,15 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2625,15 +2621,20 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
-   42 mul, 61 add, 3 div, 1 sqrt, 1 sin, 1 cos, 6 less, 11 select.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
+   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float shifted_0 = v->x + 49152.0f;
-  const float shifted_1 = v->y + 49152.0f;
-  const float shifted_2 = v->z + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(v->x);
+  const float size_1 = fabsf(v->y);
+  const float size_2 = fabsf(v->z);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = v->x + grid;
+  const float shifted_1 = v->y + grid;
+  const float shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = v->x - high_0;
   const float low_1 = v->y - high_1;
   const float low_2 = v->z - high_2;
@@ -2647,14 +2648,15 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -2713,115 +2715,6 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   R->m20 = R_20;
   R->m21 = R_21;
   R->m22 = diagonal2;
-}
-
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
-   axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component; searched, not proved. */
-static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
-    ksl_mat3x3f_t *R) {
-  const float half = 0.5f * angle;
-  const float h = sinf(half);
-  const float cosine = cosf(angle);
-  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
-      versine = cosine < 0.0f ? versine_c : versine_b;
-  const float sine = sinf(angle);
-  const float beta_v_0 = axis->x * versine;
-  const float beta_v_1 = axis->y * versine;
-  const float beta_v_2 = axis->z * versine;
-  const float m_0 = axis->x * beta_v_0;
-  const float m_1 = axis->y * beta_v_1;
-  const float m_2 = axis->z * beta_v_2;
-  const float m_3 = axis->y * beta_v_0;
-  const float m_4 = axis->z * beta_v_0;
-  const float m_5 = axis->z * beta_v_1;
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = axis->x * sine;
-  const float alpha_v_1 = axis->y * sine;
-  const float alpha_v_2 = axis->z * sine;
-  const float R_00 = 1.0f - others_0;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_11 = 1.0f - others_1;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
-  const float R_22 = 1.0f - others_2;
-  R->m00 = R_00;
-  R->m01 = R_01;
-  R->m02 = R_02;
-  R->m10 = R_10;
-  R->m11 = R_11;
-  R->m12 = R_12;
-  R->m20 = R_20;
-  R->m21 = R_21;
-  R->m22 = R_22;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
-  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
-  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
-  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
-  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
-  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
-  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
-  const float n = v_n * v_r;
-  const float half = atan2f(n, upper_3);
-  const float divisor = v_n == 0.0f ? 1.0f : v_n;
-  const float unit_0 = v_y_0 / divisor;
-  const float unit_1 = v_y_1 / divisor;
-  const float unit_2 = v_y_2 / divisor;
-  const float angle = 2.0f * half;
-  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
-  axis->x = axis_0;
-  axis->y = unit_1;
-  axis->z = unit_2;
-  return angle;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -2962,15 +2855,21 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   79 mul, 91 add, 4 div, 1 sqrt, 1 sin, 1 cos, 5 less, 12 select.
-   Error <= R: 5 u, t: 8 u of its largest component; searched, not proved. */
+   80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
+   Error <= R: (5 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -2984,14 +2883,15 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3086,8 +2986,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 27 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component; searched, not proved. */
+   50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
+   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -3125,13 +3025,15 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -3186,15 +3088,20 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -3208,14 +3115,15 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3386,15 +3294,20 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   120 mul, 131 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 6 less, 14 select.
-   Error <= M: 14 u of its largest component; searched, not proved. */
+   121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -3408,14 +3321,15 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3586,15 +3500,20 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -3608,14 +3527,15 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3771,15 +3691,20 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   92 mul, 104 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 6 less, 12 select.
-   Error <= M: 9 u of its largest component; searched, not proved. */
+   93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
+   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float shifted_0 = s->m3 + 49152.0f;
-  const float shifted_1 = s->m4 + 49152.0f;
-  const float shifted_2 = s->m5 + 49152.0f;
-  const float high_0 = shifted_0 - 49152.0f;
-  const float high_1 = shifted_1 - 49152.0f;
-  const float high_2 = shifted_2 - 49152.0f;
+  const float size_0 = fabsf(s->m3);
+  const float size_1 = fabsf(s->m4);
+  const float size_2 = fabsf(s->m5);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = s->m3 + grid;
+  const float shifted_1 = s->m4 + grid;
+  const float shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
   const float low_0 = s->m3 - high_0;
   const float low_1 = s->m4 - high_1;
   const float low_2 = s->m5 - high_2;
@@ -3793,14 +3718,15 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
       cross_d = low_2 * sum_2, cross = cross_c + cross_d;
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
-  const float theta_shifted = theta + 49152.0f;
-  const float theta_high = theta_shifted - 49152.0f;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
   const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
   const float exact_a = theta_high * theta_high, exact = squares - exact_a;
   const float residual = cross_rest + exact;
-  const float delta_a = 0.5f * residual, delta = delta_a / theta;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
   const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
@@ -3956,9 +3882,10 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   207 mul, 190 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 3 abs, 17 less, 1 equal, 39
+   208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 12 u, t: 20 u of its largest component; searched, not proved. */
+   Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is larger for
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;
@@ -4040,7 +3967,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
   const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      log_v_s = log_v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : log_v_s_b;
+      log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
+      log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;
   const float log_v_y_0 = log_upper_0 * log_v_s;
   const float log_v_y_1 = log_upper_1 * log_v_s;
   const float log_v_y_2 = log_upper_2 * log_v_s;
@@ -4048,7 +3976,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = log_v_y_2 * log_v_y_2,
       log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrtf(log_v_n_e);
   const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
-      log_v_r = 1.0f < log_v_s ? 7.888609e-31f : log_v_r_b;
+      log_v_r_d = 1.0f < log_v_s ? 5.551115e-17f : log_v_r_b,
+      log_v_r = 1.8014399e+16f < log_v_s ? 3.081488e-33f : log_v_r_d;
   const float log_n = log_v_n * log_v_r;
   const float log_half = atan2f(log_n, log_upper_3);
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
@@ -4111,12 +4040,17 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float screw_3 = k * log_vector_0;
   const float screw_4 = k * log_vector_1;
   const float screw_5 = k * log_vector_2;
-  const float exp_shifted_0 = screw_3 + 49152.0f;
-  const float exp_shifted_1 = screw_4 + 49152.0f;
-  const float exp_shifted_2 = screw_5 + 49152.0f;
-  const float exp_high_0 = exp_shifted_0 - 49152.0f;
-  const float exp_high_1 = exp_shifted_1 - 49152.0f;
-  const float exp_high_2 = exp_shifted_2 - 49152.0f;
+  const float exp_size_0 = fabsf(screw_3);
+  const float exp_size_1 = fabsf(screw_4);
+  const float exp_size_2 = fabsf(screw_5);
+  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_grid = exp_sizes * 8192.0f;
+  const float exp_shifted_0 = screw_3 + exp_grid;
+  const float exp_shifted_1 = screw_4 + exp_grid;
+  const float exp_shifted_2 = screw_5 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid;
+  const float exp_high_1 = exp_shifted_1 - exp_grid;
+  const float exp_high_2 = exp_shifted_2 - exp_grid;
   const float exp_low_0 = screw_3 - exp_high_0;
   const float exp_low_1 = screw_4 - exp_high_1;
   const float exp_low_2 = screw_5 - exp_high_2;
@@ -4131,15 +4065,17 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       exp_cross = exp_cross_c + exp_cross_d;
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
-  const float exp_theta_shifted = exp_theta + 49152.0f;
-  const float exp_theta_high = exp_theta_shifted - 49152.0f;
+  const float exp_theta_shifted = exp_grid + exp_theta;
+  const float exp_theta_high = exp_theta_shifted - exp_grid;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
   const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
       exp_cross_rest = exp_cross - exp_cross_rest_a;
   const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_delta_a = 0.5f * exp_residual, exp_delta = exp_delta_a / exp_theta;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
   const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine_a = cosf(exp_theta),
       exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;

@@ -10,9 +10,9 @@
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 10 equal, 51 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+     less, 10 equal, 58 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -84,51 +84,91 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
       column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
   const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
+      upper_0b_of_column_3 = column_3 + column_3_lo,
+      upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3,
+      upper_0b_of_column_3_left = upper_0b_of_column_3 - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_left_rest = column_3 - upper_0b_of_column_3_left,
+      upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right,
+      upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest,
+      upper_0 = upper_0b_of_column_3 < 0.0 ? upper_0a : column_0,
+      upper_0_lo = upper_0b_of_column_3 < 0.0 ? upper_0a_lo : column_0_lo;
   const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
+      upper_1 = upper_0b_of_column_3 < 0.0 ? upper_1a : column_1,
+      upper_1_lo = upper_0b_of_column_3 < 0.0 ? upper_1a_lo : column_1_lo;
   const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      upper_2 = upper_0b_of_column_3 < 0.0 ? upper_2a : column_2,
+      upper_2_lo = upper_0b_of_column_3 < 0.0 ? upper_2a_lo : column_2_lo;
+  const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
+      upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
+      upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
+  const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
+      v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
+      v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left,
+      v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right,
+      v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest,
+      v_s_size_0 = fabs(v_s_size_0_of_upper_0), v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo,
+      v_s_size_0_lo = v_s_size_0_of_upper_0 < 0.0 ? v_s_size_0_opposite : v_s_size_0_of_upper_0_lo;
+  const double v_s_size_1_of_upper_1 = upper_1 + upper_1_lo,
+      v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1,
+      v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left,
+      v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right,
+      v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest,
+      v_s_size_1 = fabs(v_s_size_1_of_upper_1), v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo,
+      v_s_size_1_lo = v_s_size_1_of_upper_1 < 0.0 ? v_s_size_1_opposite : v_s_size_1_of_upper_1_lo;
+  const double v_s_size_2_of_upper_2 = upper_2 + upper_2_lo,
+      v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2,
+      v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left,
+      v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right,
+      v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest,
+      v_s_size_2 = fabs(v_s_size_2_of_upper_2), v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo,
+      v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
+  const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
+      v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
+      v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
+      v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
+      v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+  const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
+      v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
+      v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
+      v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+  const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
+      v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
+      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
+      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
   const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
       v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
@@ -154,7 +194,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -197,259 +238,27 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
       k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = v_y_0_of_upper_0 * k, vector_0_cross1 = v_y_0_of_upper_0_lo * k,
-      vector_0_cross2 = v_y_0_of_upper_0 * k_lo, vector_0_cross = vector_0_cross1 + vector_0_cross2;
-  const double vector_1 = v_y_1_of_upper_1 * k, vector_1_cross1 = v_y_1_of_upper_1_lo * k,
-      vector_1_cross2 = v_y_1_of_upper_1 * k_lo, vector_1_cross = vector_1_cross1 + vector_1_cross2;
-  const double vector_2 = v_y_2_of_upper_2 * k, vector_2_cross1 = v_y_2_of_upper_2_lo * k,
-      vector_2_cross2 = v_y_2_of_upper_2 * k_lo, vector_2_cross = vector_2_cross1 + vector_2_cross2;
-  const double vector_0_error = ksl_product_error(v_y_0_of_upper_0, k, vector_0),
+  const double vector_0 = v_s_size_0_of_upper_0 * k, vector_0_cross1 = v_s_size_0_of_upper_0_lo * k,
+      vector_0_cross2 = v_s_size_0_of_upper_0 * k_lo,
+      vector_0_cross = vector_0_cross1 + vector_0_cross2;
+  const double vector_1 = v_s_size_1_of_upper_1 * k, vector_1_cross1 = v_s_size_1_of_upper_1_lo * k,
+      vector_1_cross2 = v_s_size_1_of_upper_1 * k_lo,
+      vector_1_cross = vector_1_cross1 + vector_1_cross2;
+  const double vector_2 = v_s_size_2_of_upper_2 * k, vector_2_cross1 = v_s_size_2_of_upper_2_lo * k,
+      vector_2_cross2 = v_s_size_2_of_upper_2 * k_lo,
+      vector_2_cross = vector_2_cross1 + vector_2_cross2;
+  const double vector_0_error = ksl_product_error(v_s_size_0_of_upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
-  const double vector_1_error = ksl_product_error(v_y_1_of_upper_1, k, vector_1),
+  const double vector_1_error = ksl_product_error(v_s_size_1_of_upper_1, k, vector_1),
       vector_1_lo = vector_1_error + vector_1_cross, vector_1_rounded = vector_1 + vector_1_lo,
       vector_1_final = vector_1_rounded == vector_1_rounded ? vector_1_rounded : vector_1;
-  const double vector_2_error = ksl_product_error(v_y_2_of_upper_2, k, vector_2),
+  const double vector_2_error = ksl_product_error(v_s_size_2_of_upper_2, k, vector_2),
       vector_2_lo = vector_2_error + vector_2_cross, vector_2_rounded = vector_2 + vector_2_lo,
       vector_2_final = vector_2_rounded == vector_2_rounded ? vector_2_rounded : vector_2;
   vo->x = vector_0_final;
   vo->y = vector_1_final;
   vo->z = vector_2_final;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-     less, 11 equal, 54 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
-  const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
-      p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
-      p_0_lo = p_0_left_rest - p_0_right_rest;
-  const double p_1 = R->m02 - R->m20, p_1_right = R->m02 - p_1, p_1_left = p_1 + p_1_right,
-      p_1_left_rest = R->m02 - p_1_left, p_1_right_rest = R->m20 - p_1_right,
-      p_1_lo = p_1_left_rest - p_1_right_rest;
-  const double p_2 = R->m10 - R->m01, p_2_right = R->m10 - p_2, p_2_left = p_2 + p_2_right,
-      p_2_left_rest = R->m10 - p_2_left, p_2_right_rest = R->m01 - p_2_right,
-      p_2_lo = p_2_left_rest - p_2_right_rest;
-  const double s_0 = R->m12 + R->m21, s_0_right = s_0 - R->m12, s_0_left = s_0 - s_0_right,
-      s_0_left_rest = R->m12 - s_0_left, s_0_right_rest = R->m21 - s_0_right,
-      s_0_lo = s_0_left_rest + s_0_right_rest;
-  const double s_1 = R->m02 + R->m20, s_1_right = s_1 - R->m02, s_1_left = s_1 - s_1_right,
-      s_1_left_rest = R->m02 - s_1_left, s_1_right_rest = R->m20 - s_1_right,
-      s_1_lo = s_1_left_rest + s_1_right_rest;
-  const double s_2 = R->m01 + R->m10, s_2_right = s_2 - R->m01, s_2_left = s_2 - s_2_right,
-      s_2_left_rest = R->m01 - s_2_left, s_2_right_rest = R->m10 - s_2_right,
-      s_2_lo = s_2_left_rest + s_2_right_rest;
-  const double first_0 = R->m00 + 1.0, first_0_right = first_0 - R->m00,
-      first_0_left = first_0 - first_0_right, first_0_left_rest = R->m00 - first_0_left,
-      first_0_right_rest = 1.0 - first_0_right, first_0_lo = first_0_left_rest + first_0_right_rest;
-  const double first_1 = 1.0 - R->m00, first_1_right = 1.0 - first_1,
-      first_1_left = first_1 + first_1_right, first_1_left_rest = 1.0 - first_1_left,
-      first_1_right_rest = R->m00 - first_1_right,
-      first_1_lo = first_1_left_rest - first_1_right_rest;
-  const double others_0 = R->m11 + R->m22, others_0_right = others_0 - R->m11,
-      others_0_left = others_0 - others_0_right, others_0_left_rest = R->m11 - others_0_left,
-      others_0_right_rest = R->m22 - others_0_right,
-      others_0_lo = others_0_left_rest + others_0_right_rest;
-  const double others_1 = R->m11 - R->m22, others_1_right = R->m11 - others_1,
-      others_1_left = others_1 + others_1_right, others_1_left_rest = R->m11 - others_1_left,
-      others_1_right_rest = R->m22 - others_1_right,
-      others_1_lo = others_1_left_rest - others_1_right_rest;
-  const double d_0 = first_0 + others_0, d_0_right = d_0 - first_0, d_0_left = d_0 - d_0_right,
-      d_0_left_rest = first_0 - d_0_left, d_0_right_rest = others_0 - d_0_right,
-      d_0_lo1 = d_0_left_rest + d_0_right_rest, d_0_lo2 = d_0_lo1 + others_0_lo,
-      d_0_lo = d_0_lo2 + first_0_lo;
-  const double d_1 = first_0 - others_0, d_1_right = first_0 - d_1, d_1_left = d_1 + d_1_right,
-      d_1_left_rest = first_0 - d_1_left, d_1_right_rest = others_0 - d_1_right,
-      d_1_lo1 = d_1_left_rest - d_1_right_rest, d_1_lo2 = d_1_lo1 - others_0_lo,
-      d_1_lo = d_1_lo2 + first_0_lo;
-  const double d_2 = first_1 + others_1, d_2_right = d_2 - first_1, d_2_left = d_2 - d_2_right,
-      d_2_left_rest = first_1 - d_2_left, d_2_right_rest = others_1 - d_2_right,
-      d_2_lo1 = d_2_left_rest + d_2_right_rest, d_2_lo2 = d_2_lo1 + others_1_lo,
-      d_2_lo = d_2_lo2 + first_1_lo;
-  const double d_3 = first_1 - others_1, d_3_right = first_1 - d_3, d_3_left = d_3 + d_3_right,
-      d_3_left_rest = first_1 - d_3_left, d_3_right_rest = others_1 - d_3_right,
-      d_3_lo1 = d_3_left_rest - d_3_right_rest, d_3_lo2 = d_3_lo1 - others_1_lo,
-      d_3_lo = d_3_lo2 + first_1_lo;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_0_lo = R->m11 < R->m00 ? d_1_lo : s_2_lo;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_1_lo = R->m11 < R->m00 ? s_2_lo : d_2_lo;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_2_lo = R->m11 < R->m00 ? s_1_lo : s_0_lo;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_3_lo = R->m11 < R->m00 ? p_0_lo : p_1_lo;
-  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
-      high_0_lo = R->m00 < high_0a ? s_1_lo : p_0_lo;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
-      high_1_lo = R->m00 < high_0a ? s_0_lo : p_1_lo;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
-      high_2_lo = R->m00 < high_0a ? d_3_lo : p_2_lo;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
-      high_3_lo = R->m00 < high_0a ? p_2_lo : d_0_lo;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
-      column_0_lo = R->m22 < 0.0 ? low_0_lo : high_0_lo;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
-      column_1_lo = R->m22 < 0.0 ? low_1_lo : high_1_lo;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
-      column_2_lo = R->m22 < 0.0 ? low_2_lo : high_2_lo;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
-      column_3_lo = R->m22 < 0.0 ? low_3_lo : high_3_lo;
-  const double upper_0a = -column_0, upper_0a_lo = -column_0_lo,
-      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
-      upper_0_lo = column_3 < 0.0 ? upper_0a_lo : column_0_lo;
-  const double upper_1a = -column_1, upper_1a_lo = -column_1_lo,
-      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
-      upper_1_lo = column_3 < 0.0 ? upper_1a_lo : column_1_lo;
-  const double upper_2a = -column_2, upper_2a_lo = -column_2_lo,
-      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
-      upper_2_lo = column_3 < 0.0 ? upper_2a_lo : column_2_lo;
-  const double upper_3a = -column_3, upper_3a_lo = -column_3_lo,
-      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
-      upper_3_lo = column_3 < 0.0 ? upper_3a_lo : column_3_lo;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
-  const double v_y_0_of_upper_0 = upper_0 + upper_0_lo,
-      v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0,
-      v_y_0_of_upper_0_left = v_y_0_of_upper_0 - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_left_rest = upper_0 - v_y_0_of_upper_0_left,
-      v_y_0_of_upper_0_right_rest = upper_0_lo - v_y_0_of_upper_0_right,
-      v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + v_y_0_of_upper_0_right_rest,
-      v_y_0 = v_y_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s, v_y_0_back = v_y_0 * v_y_0_inverse,
-      v_y_0_lost = v_y_0_of_upper_0 - v_y_0_back, v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo,
-      v_y_0_small = v_y_0_rest * v_s, v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1_of_upper_1 = upper_1 + upper_1_lo,
-      v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1,
-      v_y_1_of_upper_1_left = v_y_1_of_upper_1 - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_left_rest = upper_1 - v_y_1_of_upper_1_left,
-      v_y_1_of_upper_1_right_rest = upper_1_lo - v_y_1_of_upper_1_right,
-      v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + v_y_1_of_upper_1_right_rest,
-      v_y_1 = v_y_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_y_1_of_upper_1 - v_y_1_back, v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo,
-      v_y_1_small = v_y_1_rest * v_s, v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2_of_upper_2 = upper_2 + upper_2_lo,
-      v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2,
-      v_y_2_of_upper_2_left = v_y_2_of_upper_2 - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_left_rest = upper_2 - v_y_2_of_upper_2_left,
-      v_y_2_of_upper_2_right_rest = upper_2_lo - v_y_2_of_upper_2_right,
-      v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + v_y_2_of_upper_2_right_rest,
-      v_y_2 = v_y_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_y_2_of_upper_2 - v_y_2_back, v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo,
-      v_y_2_small = v_y_2_rest * v_s, v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
-  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
-      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
-      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
-      v_n_b_cross = v_n_b_cross1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b, v_n_c_right = v_n_c - v_n_a,
-      v_n_c_left = v_n_c - v_n_c_right,
-      v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
-      v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
-      v_n_c_cross = v_n_a_cross + v_n_b_cross, v_n_c_lo1 = v_n_c_left_rest + v_n_c_right_rest,
-      v_n_c_lo = v_n_c_lo1 + v_n_c_cross, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
-      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_cross = v_n_d_cross1 + v_n_d_cross2,
-      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
-      v_n_e_left_rest = v_n_c - v_n_e_left,
-      v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
-      v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo2 = v_n_e_lo1 + v_n_d_cross,
-      v_n_e_lo = v_n_e_lo2 + v_n_c_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
-      v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e,
-      v_n_of_v_n_e_left = v_n_of_v_n_e - v_n_of_v_n_e_right,
-      v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
-      v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
-      v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
-      v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
-      v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
-      v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
-  const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
-      n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
-      n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
-  const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
-      half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
-      half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half_of_upper_3 = upper_3 + upper_3_lo, half_of_upper_3_right = half_of_upper_3 - upper_3,
-      half_of_upper_3_left = half_of_upper_3 - half_of_upper_3_right,
-      half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
-      half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
-      half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_3),
-      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
-      half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
-      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
-  const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
-      divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
-  const double unit_0_of_v_y_0 = v_y_0 + v_y_0_lo, unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0,
-      unit_0_of_v_y_0_left = unit_0_of_v_y_0 - unit_0_of_v_y_0_right,
-      unit_0_of_v_y_0_left_rest = v_y_0 - unit_0_of_v_y_0_left,
-      unit_0_of_v_y_0_right_rest = v_y_0_lo - unit_0_of_v_y_0_right,
-      unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + unit_0_of_v_y_0_right_rest,
-      unit_0_of_divisor = divisor + divisor_lo,
-      unit_0_of_divisor_right = unit_0_of_divisor - divisor,
-      unit_0_of_divisor_left = unit_0_of_divisor - unit_0_of_divisor_right,
-      unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
-      unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
-      unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
-      unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
-      unit_0_rest = unit_0_of_v_y_0 - unit_0_product,
-      unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo,
-      unit_0_cross = unit_0 * unit_0_of_divisor_lo,
-      unit_0_residual = unit_0_numerator - unit_0_cross,
-      unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1_of_v_y_1 = v_y_1 + v_y_1_lo, unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1,
-      unit_1_of_v_y_1_left = unit_1_of_v_y_1 - unit_1_of_v_y_1_right,
-      unit_1_of_v_y_1_left_rest = v_y_1 - unit_1_of_v_y_1_left,
-      unit_1_of_v_y_1_right_rest = v_y_1_lo - unit_1_of_v_y_1_right,
-      unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + unit_1_of_v_y_1_right_rest,
-      unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
-      unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
-      unit_1_rest = unit_1_of_v_y_1 - unit_1_product,
-      unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo,
-      unit_1_cross = unit_1 * unit_0_of_divisor_lo,
-      unit_1_residual = unit_1_numerator - unit_1_cross,
-      unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2_of_v_y_2 = v_y_2 + v_y_2_lo, unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2,
-      unit_2_of_v_y_2_left = unit_2_of_v_y_2 - unit_2_of_v_y_2_right,
-      unit_2_of_v_y_2_left_rest = v_y_2 - unit_2_of_v_y_2_left,
-      unit_2_of_v_y_2_right_rest = v_y_2_lo - unit_2_of_v_y_2_right,
-      unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + unit_2_of_v_y_2_right_rest,
-      unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
-      unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
-      unit_2_rest = unit_2_of_v_y_2 - unit_2_product,
-      unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo,
-      unit_2_cross = unit_2 * unit_0_of_divisor_lo,
-      unit_2_residual = unit_2_numerator - unit_2_cross,
-      unit_2_lo = unit_2_residual / unit_0_of_divisor;
-  const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
-  const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
-      axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
-  const double angle_rounded = angle + angle_cross2,
-      angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
-  const double axis_0_rounded = axis_0 + axis_0_lo,
-      axis_0_final = axis_0_rounded == axis_0_rounded ? axis_0_rounded : axis_0;
-  const double unit_1_rounded = unit_1 + unit_1_lo,
-      unit_1_final = unit_1_rounded == unit_1_rounded ? unit_1_rounded : unit_1;
-  const double unit_2_rounded = unit_2 + unit_2_lo,
-      unit_2_final = unit_2_rounded == unit_2_rounded ? unit_2_rounded : unit_2;
-  axis->x = axis_0_final;
-  axis->y = unit_1_final;
-  axis->z = unit_2_final;
-  return angle_final;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
@@ -1130,8 +939,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
-   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
+   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;
@@ -1169,14 +978,16 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
+      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -1188,70 +999,6 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;
-}
-
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
-   R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component; searched, not proved. */
-static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
-    ksl_vec3f_t *axis) {
-  const double p_0 = (double)R->m21 - (double)R->m12;
-  const double p_1 = (double)R->m02 - (double)R->m20;
-  const double p_2 = (double)R->m10 - (double)R->m01;
-  const double s_0 = (double)R->m12 + (double)R->m21;
-  const double s_1 = (double)R->m02 + (double)R->m20;
-  const double s_2 = (double)R->m01 + (double)R->m10;
-  const double first_0 = (double)R->m00 + 1.0;
-  const double first_1 = 1.0 - (double)R->m00;
-  const double others_0 = (double)R->m11 + (double)R->m22;
-  const double others_1 = (double)R->m11 - (double)R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = (double)R->m11 < (double)R->m00 ? d_1 : s_2;
-  const double low_1 = (double)R->m11 < (double)R->m00 ? s_2 : d_2;
-  const double low_2 = (double)R->m11 < (double)R->m00 ? s_1 : s_0;
-  const double low_3 = (double)R->m11 < (double)R->m00 ? p_0 : p_1;
-  const double high_0a = -(double)R->m11, high_0 = (double)R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = (double)R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = (double)R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = (double)R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = (double)R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = (double)R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = (double)R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = (double)R->m22 < 0.0 ? low_3 : high_3;
-  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
-  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
-  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
-  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
-  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
-  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s = v_s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : v_s_b;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r = 1.0 < v_s ? 7.888609052210118e-31 : v_r_b;
-  const double n = v_n * v_r;
-  const double half = atan2(n, upper_3);
-  const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
-  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
-  axis->x = (float)axis_0;
-  axis->y = (float)unit_1;
-  axis->z = (float)unit_2;
-  return (float)angle;
 }
 
 /* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.

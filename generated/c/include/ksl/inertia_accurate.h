@@ -1163,7 +1163,7 @@ static inline void ksl_inertia_transformed_accurate(const ksl_SE3_t *D, const ks
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   43 mul, 204 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+   43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
 static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
   const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
       trace_c_right = trace_c - trace_a, trace_c_left = trace_c - trace_c_right,
@@ -1213,7 +1213,14 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       u1_2b_left_rest = ksl_product_rest(B->h.z, l0_0, u1_2a, u1_2b_left),
       u1_2b_right_rest = B->xz - u1_2b_right, u1_2b_lo1 = u1_2b_left_rest + u1_2b_right_rest,
       u1_2b_lo = u1_2b_lo1 + u1_2a_cross2, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -1263,7 +1270,14 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       u2_1d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_0, u2_1c, u2_1d_right),
       u2_1d_lo1 = u2_1d_left_rest + u2_1d_right_rest, u2_1d_lo2 = u2_1d_lo1 + u2_1c_cross,
       u2_1d_lo = u2_1d_lo2 + u2_1b_lo, u2_1 = -u2_1d, u2_1_lo = -u2_1d_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_of_u2_1 = u2_1 + u2_1_lo, l2_of_u2_1_right = l2_of_u2_1 - u2_1,
       l2_of_u2_1_left = l2_of_u2_1 - l2_of_u2_1_right,
       l2_of_u2_1_left_rest = u2_1 - l2_of_u2_1_left,
@@ -1298,49 +1312,86 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       part0a_rest = B->m - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < B->m ? part0a : B->m,
       part0_lo = 0.0 < B->m ? part0a_lo : 0.0;
-  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0, own1_lo = 0.0 < sigma_0 ? sigma_0_lo : 0.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
+  const double own1a_of_sigma_0 = sigma_0 + sigma_0_lo,
+      own1a_of_sigma_0_right = own1a_of_sigma_0 - sigma_0,
+      own1a_of_sigma_0_left = own1a_of_sigma_0 - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_left_rest = sigma_0 - own1a_of_sigma_0_left,
+      own1a_of_sigma_0_right_rest = sigma_0_lo - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_lo = own1a_of_sigma_0_left_rest + own1a_of_sigma_0_right_rest,
+      own1 = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0 : 1.0,
+      own1_lo = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0_lo : 0.0;
+  const double part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
       part1a_of_own1_left = part1a_of_own1 - part1a_of_own1_right,
       part1a_of_own1_left_rest = own1 - part1a_of_own1_left,
       part1a_of_own1_right_rest = own1_lo - part1a_of_own1_right,
       part1a_of_own1_lo = part1a_of_own1_left_rest + part1a_of_own1_right_rest,
-      part1a = part1a_of_u1_0 / part1a_of_own1, part1a_product = part1a * part1a_of_own1,
+      part1a = divisor1a_of_u1_0 / part1a_of_own1, part1a_product = part1a * part1a_of_own1,
       part1a_product_error = ksl_product_error(part1a, part1a_of_own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo,
       part1a_cross = part1a * part1a_of_own1_lo, part1a_residual = part1a_numerator - part1a_cross,
-      part1a_lo = part1a_residual / part1a_of_own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0,
-      part1_lo = 0.0 < sigma_0 ? part1a_lo : sigma_0_lo;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
-  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0, own2_lo = 0.0 < sigma_1 ? sigma_1_lo : 0.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
+      part1a_lo = part1a_residual / part1a_of_own1,
+      part1 = 0.0 < own1a_of_sigma_0 ? part1a : own1a_of_sigma_0,
+      part1_lo = 0.0 < own1a_of_sigma_0 ? part1a_lo : own1a_of_sigma_0_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+  const double own2a_of_sigma_1 = sigma_1 + sigma_1_lo,
+      own2a_of_sigma_1_right = own2a_of_sigma_1 - sigma_1,
+      own2a_of_sigma_1_left = own2a_of_sigma_1 - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_left_rest = sigma_1 - own2a_of_sigma_1_left,
+      own2a_of_sigma_1_right_rest = sigma_1_lo - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_lo = own2a_of_sigma_1_left_rest + own2a_of_sigma_1_right_rest,
+      own2 = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1 : 1.0,
+      own2_lo = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1_lo : 0.0;
+  const double part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
       part2a_of_own2_left = part2a_of_own2 - part2a_of_own2_right,
       part2a_of_own2_left_rest = own2 - part2a_of_own2_left,
       part2a_of_own2_right_rest = own2_lo - part2a_of_own2_right,
       part2a_of_own2_lo = part2a_of_own2_left_rest + part2a_of_own2_right_rest,
-      part2a = part2a_of_u2_0 / part2a_of_own2, part2a_product = part2a * part2a_of_own2,
+      part2a = divisor2a_of_u2_0 / part2a_of_own2, part2a_product = part2a * part2a_of_own2,
       part2a_product_error = ksl_product_error(part2a, part2a_of_own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo,
       part2a_cross = part2a * part2a_of_own2_lo, part2a_residual = part2a_numerator - part2a_cross,
-      part2a_lo = part2a_residual / part2a_of_own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1,
-      part2_lo = 0.0 < sigma_1 ? part2a_lo : sigma_1_lo;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
-  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0, own3_lo = 0.0 < sigma_2 ? sigma_2_lo : 0.0;
+      part2a_lo = part2a_residual / part2a_of_own2,
+      part2 = 0.0 < own2a_of_sigma_1 ? part2a : own2a_of_sigma_1,
+      part2_lo = 0.0 < own2a_of_sigma_1 ? part2a_lo : own2a_of_sigma_1_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+  const double own3a_of_sigma_2 = sigma_2 + sigma_2_lo,
+      own3a_of_sigma_2_right = own3a_of_sigma_2 - sigma_2,
+      own3a_of_sigma_2_left = own3a_of_sigma_2 - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_left_rest = sigma_2 - own3a_of_sigma_2_left,
+      own3a_of_sigma_2_right_rest = sigma_2_lo - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_lo = own3a_of_sigma_2_left_rest + own3a_of_sigma_2_right_rest,
+      own3 = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2 : 1.0,
+      own3_lo = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2_lo : 0.0;
   const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_right = part3a_of_u3 - u3,
       part3a_of_u3_left = part3a_of_u3 - part3a_of_u3_right,
       part3a_of_u3_left_rest = u3 - part3a_of_u3_left,
@@ -1357,10 +1408,23 @@ static inline double ksl_inertia_consistency_accurate(const ksl_inertia_t *B) {
       part3a_exact = part3a_rest - part3a_product_error,
       part3a_numerator = part3a_exact + part3a_of_u3_lo, part3a_cross = part3a * part3a_of_own3_lo,
       part3a_residual = part3a_numerator - part3a_cross,
-      part3a_lo = part3a_residual / part3a_of_own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2,
-      part3_lo = 0.0 < sigma_2 ? part3a_lo : sigma_2_lo;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+      part3a_lo = part3a_residual / part3a_of_own3,
+      part3 = 0.0 < own3a_of_sigma_2 ? part3a : own3a_of_sigma_2,
+      part3_lo = 0.0 < own3a_of_sigma_2 ? part3a_lo : own3a_of_sigma_2_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double smallest3_rounded = smallest3 + smallest3_lo,
       smallest3_final = smallest3_rounded == smallest3_rounded ? smallest3_rounded : smallest3;
   return smallest3_final;

@@ -6,8 +6,12 @@
 #define KSL_H
 
 #include "vec3.h"
+#include "axis.h"
+#include "array.h"
+#include "vec4.h"
 #include "mat3x3.h"
 #include "SE3.h"
+#include "mat4x4.h"
 #include "mat6x6.h"
 #include "matrix.h"
 #include "trig.h"

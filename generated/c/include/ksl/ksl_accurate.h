@@ -6,6 +6,7 @@
 #define KSL_ACCURATE_H
 
 #include "vec3_accurate.h"
+#include "vec4_accurate.h"
 #include "mat3x3_accurate.h"
 #include "SE3_accurate.h"
 #include "matrix_accurate.h"

@@ -6,6 +6,7 @@
 #define KSL_CERTIFIED_H
 
 #include "vec3_certified.h"
+#include "vec4_certified.h"
 #include "mat3x3_certified.h"
 #include "SE3_certified.h"
 #include "matrix_certified.h"

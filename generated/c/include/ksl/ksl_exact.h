@@ -3,9 +3,9 @@
 /* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exact rounding errors in double precision, for compensated kernels.
 
-   Exact while nothing over- or underflows: products of numbers below 2^996 in magnitude whose own
-   magnitude is above 2^-969.  Needs every operation rounded to double on its own: compile with
-   -ffp-contract=off, and not for the x87. */
+   Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; a smaller one's
+   error is rounded to a multiple of the least subnormal number.  Needs every operation rounded to
+   double on its own: compile with -ffp-contract=off, and not for the x87. */
 #ifndef KSL_EXACT_H
 #define KSL_EXACT_H
 
@@ -23,12 +23,25 @@
 #define KSL_HAS_FMA 0
 #endif
 
-/* a b - p exactly, p the rounded product: by fma where that is an instruction, else in halves of
-   26 bits (Veltkamp, Dekker).  Both give the same bits. */
+#if !KSL_HAS_FMA
+/* Whether halves of 26 bits, their products and sums neither over- nor underflow. */
+static inline int ksl_splits(const double a, const double b, const double p) {
+  const double least = 4.008336720017946e-292; /* 2^-968 */
+  const double most = 6.696928794914171e+299;  /* 2^996 */
+  const double size = fabs(p);
+  return (size >= least || a == 0.0 || b == 0.0) && size <= most && fabs(a) <= most
+         && fabs(b) <= most;
+}
+#endif
+
+/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else in halves
+   (Veltkamp, Dekker); where they over- or underflow, by the C library's fma, which the C standard
+   wants to round once.  All give the same bits. */
 static inline double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
+  if (!ksl_splits(a, b, p)) { return fma(a, b, -p); }
   const double splitter = 134217729.0; /* 2^27 + 1 */
   const double c = splitter * a, d = c - a, a_high = c - d, a_low = a - a_high;
   const double e = splitter * b, f = e - b, b_high = e - f, b_low = b - b_high;
@@ -45,6 +58,7 @@ static inline double ksl_product_rest(
   (void)p;
   return fma(a, b, -h);
 #else
+  if (!ksl_splits(a, b, p)) { return fma(a, b, -h); }
   const double rest = p - h, error = ksl_product_error(a, b, p);
   return rest + error;
 #endif

@@ -6,6 +6,7 @@
 #define KSL_FUSED_H
 
 #include "vec3_fused.h"
+#include "vec4_fused.h"
 #include "mat3x3_fused.h"
 #include "SE3_fused.h"
 #include "matrix_fused.h"

@@ -56,6 +56,33 @@ typedef union ksl_vec3f_t {
   KSL_VIEW { float x, y, z; };
 } ksl_vec3f_t;
 
+/* vector (x, y, z); integer precision. */
+typedef union ksl_vec3i_t {
+  KSL_VIEW { int at[3]; };
+  KSL_VIEW { int x, y, z; };
+} ksl_vec3i_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; double precision. */
+typedef union ksl_vec4_t {
+  KSL_VIEW { double at[4]; };
+  KSL_VIEW { double x, y, z, w; };
+  KSL_VIEW { ksl_vec3_t r; };
+} ksl_vec4_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; single precision. */
+typedef union ksl_vec4f_t {
+  KSL_VIEW { float at[4]; };
+  KSL_VIEW { float x, y, z, w; };
+  KSL_VIEW { ksl_vec3f_t r; };
+} ksl_vec4f_t;
+
+/* vector (x, y, z, w), r = (x, y, z), w a homogeneous coordinate; integer precision. */
+typedef union ksl_vec4i_t {
+  KSL_VIEW { int at[4]; };
+  KSL_VIEW { int x, y, z, w; };
+  KSL_VIEW { ksl_vec3i_t r; };
+} ksl_vec4i_t;
+
 /* 3×3 matrix, stored column by column: m21 is row 2, column 1, also at[1][2]; double precision. */
 typedef union ksl_mat3x3_t {
   KSL_VIEW { double as_array[9]; };
@@ -81,6 +108,34 @@ typedef union ksl_mat3x3f_t {
   KSL_VIEW { ksl_vec3f_t v0, v1, v2; };
   KSL_VIEW { ksl_vec3f_t v[3]; };
 } ksl_mat3x3f_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; double precision. */
+typedef union ksl_mat4x4_t {
+  KSL_VIEW { double as_array[16]; };
+  KSL_VIEW { double at[4][4]; };
+  KSL_VIEW {
+    double m00, m10, m20, m30;
+    double m01, m11, m21, m31;
+    double m02, m12, m22, m32;
+    double m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4_t v[4]; };
+} ksl_mat4x4_t;
+
+/* 4×4 matrix, stored column by column: m32 is row 3, column 2, also at[2][3]; single precision. */
+typedef union ksl_mat4x4f_t {
+  KSL_VIEW { float as_array[16]; };
+  KSL_VIEW { float at[4][4]; };
+  KSL_VIEW {
+    float m00, m10, m20, m30;
+    float m01, m11, m21, m31;
+    float m02, m12, m22, m32;
+    float m03, m13, m23, m33;
+  };
+  KSL_VIEW { ksl_vec4f_t v0, v1, v2, v3; };
+  KSL_VIEW { ksl_vec4f_t v[4]; };
+} ksl_mat4x4f_t;
 
 /* displacement [R | t], stored column by column: m13 is t.y, also at[3][1]; double precision. */
 typedef union ksl_SE3_t {
@@ -191,5 +246,23 @@ typedef union ksl_inertiaf_t {
     float xx, yy, zz, xy, xz, yz;
   };
 } ksl_inertiaf_t;
+
+/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
+   of the body as the turns before have left it. */
+typedef enum ksl_axis_enum_t {
+  KSL_AXIS_XYZ,
+  KSL_AXIS_YZX,
+  KSL_AXIS_ZXY,
+  KSL_AXIS_XZY,
+  KSL_AXIS_YXZ,
+  KSL_AXIS_ZYX,
+  KSL_AXIS_XYX,
+  KSL_AXIS_XZX,
+  KSL_AXIS_YXY,
+  KSL_AXIS_YZY,
+  KSL_AXIS_ZXZ,
+  KSL_AXIS_ZYZ,
+  KSL_AXIS_INVALID
+} ksl_axis_enum_t;
 
 #endif

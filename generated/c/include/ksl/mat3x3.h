@@ -5,8 +5,10 @@
 #ifndef KSL_MAT3X3_H
 #define KSL_MAT3X3_H
 
+#include <stdarg.h>
 #include "ksl_types.h"
 #include "vec3.h"
+#include "axis.h"
 
 /* The mat3x3 of these entries, row by row. */
 static inline ksl_mat3x3_t ksl_mat3x3(const double m00, const double m01, const double m02,
@@ -201,6 +203,636 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
       det_d = R->m20 * n_2, det = det_c + det_d;
   return det;
+}
+
+/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
+     times the sum of its terms' sizes), and Ro = NaN.
+   R, Ro: rotation or other 3×3 matrix.
+   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
+     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
+  const double n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
+  const double n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
+  const double n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
+  const double n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
+  const double n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
+  const double n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
+  const double n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
+  const double n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
+  const double d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
+      d = d_c + d_d;
+  const double size0_0 = fabs(R->m00);
+  const double size0_1 = fabs(R->m10);
+  const double size0_2 = fabs(R->m20);
+  const double size1_0 = fabs(R->m01);
+  const double size1_1 = fabs(R->m11);
+  const double size1_2 = fabs(R->m21);
+  const double size2_0 = fabs(R->m02);
+  const double size2_1 = fabs(R->m12);
+  const double size2_2 = fabs(R->m22);
+  const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
+      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
+      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
+      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
+      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+  const double least_a = permanent * 8.881784197001252e-16,
+      least = least_a + 1.0261342003245941e-289;
+  const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
+  const double divisor = regular == 1.0 ? d : 1.0;
+  const double det = regular == 1.0 ? d : 0.0;
+  const double Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN;
+  const double Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN;
+  const double Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN;
+  const double Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN;
+  const double Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN;
+  const double Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN;
+  const double Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN;
+  const double Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN;
+  const double Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  return det;
+}
+
+/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+   self: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
+  const double q0_s_size_0 = fabs(self->m00);
+  const double q0_s_size_1 = fabs(self->m01);
+  const double q0_s_size_2 = fabs(self->m02);
+  const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
+  const double q0_y_0 = self->m00 * q0_s;
+  const double q0_y_1 = self->m01 * q0_s;
+  const double q0_y_2 = self->m02 * q0_s;
+  const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
+  const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
+  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
+  const double q0_enlarged_0 = self->m00 * q0_up;
+  const double q0_enlarged_1 = self->m01 * q0_up;
+  const double q0_enlarged_2 = self->m02 * q0_up;
+  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_0 = q0_quotient_0 * q0_down;
+  const double q0_1 = q0_quotient_1 * q0_down;
+  const double q0_2 = q0_quotient_2 * q0_down;
+  const double u1_s_size_0 = fabs(self->m10);
+  const double u1_s_size_1 = fabs(self->m11);
+  const double u1_s_size_2 = fabs(self->m12);
+  const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
+  const double u1_y_0 = self->m10 * u1_s;
+  const double u1_y_1 = self->m11 * u1_s;
+  const double u1_y_2 = self->m12 * u1_s;
+  const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
+  const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
+  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
+  const double u1_enlarged_0 = self->m10 * u1_up;
+  const double u1_enlarged_1 = self->m11 * u1_up;
+  const double u1_enlarged_2 = self->m12 * u1_up;
+  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_0 = u1_quotient_0 * u1_down;
+  const double u1_1 = u1_quotient_1 * u1_down;
+  const double u1_2 = u1_quotient_2 * u1_down;
+  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double q1_0 = twice_0 / divisor;
+  const double q1_1 = twice_1 / divisor;
+  const double q1_2 = twice_2 / divisor;
+  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double u2_s_size_0 = fabs(self->m20);
+  const double u2_s_size_1 = fabs(self->m21);
+  const double u2_s_size_2 = fabs(self->m22);
+  const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
+  const double u2_y_0 = self->m20 * u2_s;
+  const double u2_y_1 = self->m21 * u2_s;
+  const double u2_y_2 = self->m22 * u2_s;
+  const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
+  const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
+  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
+  const double u2_enlarged_0 = self->m20 * u2_up;
+  const double u2_enlarged_1 = self->m21 * u2_up;
+  const double u2_enlarged_2 = self->m22 * u2_up;
+  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_0 = u2_quotient_0 * u2_down;
+  const double u2_1 = u2_quotient_1 * u2_down;
+  const double u2_2 = u2_quotient_2 * u2_down;
+  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
+  const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
+  const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
+  const double size = fabs(side);
+  const double less = n < size ? n : size;
+  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+  const double self_00_new = dependent == 1.0 ? (double)NAN : q0_0;
+  const double self_01_new = dependent == 1.0 ? (double)NAN : q0_1;
+  const double self_02_new = dependent == 1.0 ? (double)NAN : q0_2;
+  const double self_10_new = dependent == 1.0 ? (double)NAN : q1_0;
+  const double self_11_new = dependent == 1.0 ? (double)NAN : q1_1;
+  const double self_12_new = dependent == 1.0 ? (double)NAN : q1_2;
+  const double self_20_new = dependent == 1.0 ? (double)NAN : q2_0;
+  const double self_21_new = dependent == 1.0 ? (double)NAN : q2_1;
+  const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
+     of it, the third its side of both; NaN where rows depend on each other to rounding.
+   R, Ro: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
+  const double q0_s_size_0 = fabs(R->m00);
+  const double q0_s_size_1 = fabs(R->m01);
+  const double q0_s_size_2 = fabs(R->m02);
+  const double q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const double q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
+      q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
+  const double q0_y_0 = R->m00 * q0_s;
+  const double q0_y_1 = R->m01 * q0_s;
+  const double q0_y_2 = R->m02 * q0_s;
+  const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
+  const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
+  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
+  const double q0_enlarged_0 = R->m00 * q0_up;
+  const double q0_enlarged_1 = R->m01 * q0_up;
+  const double q0_enlarged_2 = R->m02 * q0_up;
+  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_0 = q0_quotient_0 * q0_down;
+  const double q0_1 = q0_quotient_1 * q0_down;
+  const double q0_2 = q0_quotient_2 * q0_down;
+  const double u1_s_size_0 = fabs(R->m10);
+  const double u1_s_size_1 = fabs(R->m11);
+  const double u1_s_size_2 = fabs(R->m12);
+  const double u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const double u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
+      u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
+  const double u1_y_0 = R->m10 * u1_s;
+  const double u1_y_1 = R->m11 * u1_s;
+  const double u1_y_2 = R->m12 * u1_s;
+  const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
+  const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
+  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
+  const double u1_enlarged_0 = R->m10 * u1_up;
+  const double u1_enlarged_1 = R->m11 * u1_up;
+  const double u1_enlarged_2 = R->m12 * u1_up;
+  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_0 = u1_quotient_0 * u1_down;
+  const double u1_1 = u1_quotient_1 * u1_down;
+  const double u1_2 = u1_quotient_2 * u1_down;
+  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double q1_0 = twice_0 / divisor;
+  const double q1_1 = twice_1 / divisor;
+  const double q1_2 = twice_2 / divisor;
+  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double u2_s_size_0 = fabs(R->m20);
+  const double u2_s_size_1 = fabs(R->m21);
+  const double u2_s_size_2 = fabs(R->m22);
+  const double u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const double u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
+      u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
+  const double u2_y_0 = R->m20 * u2_s;
+  const double u2_y_1 = R->m21 * u2_s;
+  const double u2_y_2 = R->m22 * u2_s;
+  const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
+  const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
+  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
+  const double u2_enlarged_0 = R->m20 * u2_up;
+  const double u2_enlarged_1 = R->m21 * u2_up;
+  const double u2_enlarged_2 = R->m22 * u2_up;
+  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_0 = u2_quotient_0 * u2_down;
+  const double u2_1 = u2_quotient_1 * u2_down;
+  const double u2_2 = u2_quotient_2 * u2_down;
+  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
+  const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
+  const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
+  const double size = fabs(side);
+  const double less = n < size ? n : size;
+  const double dependent = less < 1.7763568394002505e-15 ? 1.0 : 0.0;
+  const double Ro_00 = dependent == 1.0 ? (double)NAN : q0_0;
+  const double Ro_01 = dependent == 1.0 ? (double)NAN : q0_1;
+  const double Ro_02 = dependent == 1.0 ? (double)NAN : q0_2;
+  const double Ro_10 = dependent == 1.0 ? (double)NAN : q1_0;
+  const double Ro_11 = dependent == 1.0 ? (double)NAN : q1_1;
+  const double Ro_12 = dependent == 1.0 ? (double)NAN : q1_2;
+  const double Ro_20 = dependent == 1.0 ? (double)NAN : q2_0;
+  const double Ro_21 = dependent == 1.0 ? (double)NAN : q2_1;
+  const double Ro_22 = dependent == 1.0 ? (double)NAN : q2_2;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   12 mul, 10 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
+    const double dc[2]) {
+  const double versine = 1.0 - dc[1];
+  const double versine_axis_0 = axis->x * versine;
+  const double versine_axis_1 = axis->y * versine;
+  const double versine_axis_2 = axis->z * versine;
+  const double m_0 = axis->x * versine_axis_0;
+  const double m_1 = axis->y * versine_axis_1;
+  const double m_2 = axis->z * versine_axis_2;
+  const double m_3 = axis->y * versine_axis_0;
+  const double m_4 = axis->z * versine_axis_0;
+  const double m_5 = axis->z * versine_axis_1;
+  const double sine_axis_0 = axis->x * dc[0];
+  const double sine_axis_1 = axis->y * dc[0];
+  const double sine_axis_2 = axis->z * dc[0];
+  const double R_00 = dc[1] + m_0;
+  const double R_01 = m_3 - sine_axis_2;
+  const double R_02 = m_4 + sine_axis_1;
+  const double R_10 = m_3 + sine_axis_2;
+  const double R_11 = dc[1] + m_1;
+  const double R_12 = m_5 - sine_axis_0;
+  const double R_20 = m_4 - sine_axis_1;
+  const double R_21 = m_5 + sine_axis_0;
+  const double R_22 = dc[1] + m_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  const double s_0 = sin(angles->x);
+  const double s_1 = sin(angles->y);
+  const double s_2 = sin(angles->z);
+  const double c_0 = cos(angles->x);
+  const double c_1 = cos(angles->y);
+  const double c_2 = cos(angles->z);
+  const double first_0 = c_1 * c_2;
+  const double first_1a = s_2 * c_1, first_1 = -first_1a;
+  const double first_6a = s_1 * c_2, first_6 = -first_6a;
+  const double first_7 = s_1 * s_2;
+  const double last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
+  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const double last_5a = s_0 * c_1, last_5 = -last_5a;
+  const double last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
+  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const double last_8 = c_0 * c_1;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
+  const double n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrt(n_c);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double cosine_a = R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
+  const double sine_a = -R->m01, sine = sine_a / divisor;
+  const double polar = atan2(sine_a, R->m00);
+  const double third = n == 0.0 ? 0.0 : polar;
+  const double left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
+  const double left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const double angles_0 = atan2(left_2, left_1);
+  const double angles_1 = atan2(R->m02, n);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  const double s_0 = sin(angles->x);
+  const double s_1 = sin(angles->y);
+  const double s_2 = sin(angles->z);
+  const double c_0 = cos(angles->x);
+  const double c_1 = cos(angles->y);
+  const double c_2 = cos(angles->z);
+  const double first_1 = s_1 * s_2;
+  const double first_2 = s_1 * c_2;
+  const double first_7 = s_2 * c_1;
+  const double first_8 = c_1 * c_2;
+  const double last_3 = s_0 * s_1;
+  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const double last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
+      last_5 = -last_5c;
+  const double last_6a = s_1 * c_0, last_6 = -last_6a;
+  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const double last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
+  const double n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrt(n_c);
+  const double divisor = n == 0.0 ? 1.0 : n;
+  const double cosine_a = R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
+  const double sine = R->m01 / divisor;
+  const double polar = atan2(R->m01, R->m02);
+  const double third = n == 0.0 ? 0.0 : polar;
+  const double left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
+  const double left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const double angles_0 = atan2(left_2, left_1);
+  const double angles_1 = atan2(n, R->m00);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+   A, V: rotation or other 3×3 matrix.
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
+  const double twice = 2.0 * A->m10;
+  const double apart = A->m11 - A->m00;
+  const double divisor = twice == 0.0 ? 1.0 : twice;
+  const double theta = apart / divisor;
+  const double absolute = fabs(theta);
+  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+      size = absolute + size_c;
+  const double along_a = -size, along = theta < 0.0 ? along_a : size;
+  const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
+  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double c = 1.0 / secant;
+  const double s = t * c;
+  const double change = A->m10 * t;
+  const double zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const double zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const double vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const double vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const double vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const double vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const double vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const double vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double A_00_new = A->m11 + change;
+  const double A_22_new = A->m00 - change;
+  const double A_m22 = A->m22;
+  const double V_m02 = V->m02;
+  const double V_m12 = V->m12;
+  const double V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
+    ksl_mat3x3_t *R) {
+  const double half = 0.5 * angle;
+  const double h = sin(half);
+  const double cosine = cos(angle);
+  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
+      versine = cosine < 0.0 ? versine_c : versine_b;
+  const double sine = sin(angle);
+  const double beta_v_0 = axis->x * versine;
+  const double beta_v_1 = axis->y * versine;
+  const double beta_v_2 = axis->z * versine;
+  const double m_0 = axis->x * beta_v_0;
+  const double m_1 = axis->y * beta_v_1;
+  const double m_2 = axis->z * beta_v_2;
+  const double m_3 = axis->y * beta_v_0;
+  const double m_4 = axis->z * beta_v_0;
+  const double m_5 = axis->z * beta_v_1;
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = axis->x * sine;
+  const double alpha_v_1 = axis->y * sine;
+  const double alpha_v_2 = axis->z * sine;
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
+  const double p_0 = R->m21 - R->m12;
+  const double p_1 = R->m02 - R->m20;
+  const double p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21;
+  const double s_1 = R->m02 + R->m20;
+  const double s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0;
+  const double first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22;
+  const double others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0;
+  const double d_1 = first_0 - others_0;
+  const double d_2 = first_1 + others_1;
+  const double d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
+  const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
+  const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
+  const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
+  const double v_s_size_0 = fabs(upper_0);
+  const double v_s_size_1 = fabs(upper_1);
+  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_y_0 = upper_0 * v_s;
+  const double v_y_1 = upper_1 * v_s;
+  const double v_y_2 = upper_2 * v_s;
+  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double n = v_n * v_r;
+  const double half = atan2(n, upper_3);
+  const double divisor = v_n == 0.0 ? 1.0 : v_n;
+  const double unit_0 = v_y_0 / divisor;
+  const double unit_1 = v_y_1 / divisor;
+  const double unit_2 = v_y_2 / divisor;
+  const double angle = 2.0 * half;
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  return angle;
 }
 
 /* The mat3x3 of these entries, row by row. */
@@ -398,6 +1030,634 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   return det;
 }
 
+/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
+     times the sum of its terms' sizes), and Ro = NaN.
+   R, Ro: rotation or other 3×3 matrix.
+   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
+     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
+  const float n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
+  const float n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
+  const float n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
+  const float n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
+  const float n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
+  const float n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
+  const float n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
+  const float n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
+  const float d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
+      d = d_c + d_d;
+  const float size0_0 = fabsf(R->m00);
+  const float size0_1 = fabsf(R->m10);
+  const float size0_2 = fabsf(R->m20);
+  const float size1_0 = fabsf(R->m01);
+  const float size1_1 = fabsf(R->m11);
+  const float size1_2 = fabsf(R->m21);
+  const float size2_0 = fabsf(R->m02);
+  const float size2_1 = fabsf(R->m12);
+  const float size2_2 = fabsf(R->m22);
+  const float permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
+      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
+      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
+      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
+      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
+      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
+      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
+  const float least_a = permanent * 4.7683716e-07f, least = least_a + 1.2621775e-29f;
+  const float regular_a = fabsf(d), regular = least < regular_a ? 1.0f : 0.0f;
+  const float divisor = regular == 1.0f ? d : 1.0f;
+  const float det = regular == 1.0f ? d : 0.0f;
+  const float Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0f ? Ro_00a : (float)NAN;
+  const float Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0f ? Ro_01a : (float)NAN;
+  const float Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0f ? Ro_02a : (float)NAN;
+  const float Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0f ? Ro_10a : (float)NAN;
+  const float Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0f ? Ro_11a : (float)NAN;
+  const float Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0f ? Ro_12a : (float)NAN;
+  const float Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0f ? Ro_20a : (float)NAN;
+  const float Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0f ? Ro_21a : (float)NAN;
+  const float Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0f ? Ro_22a : (float)NAN;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  return det;
+}
+
+/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+   self: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
+  const float q0_s_size_0 = fabsf(self->m00);
+  const float q0_s_size_1 = fabsf(self->m01);
+  const float q0_s_size_2 = fabsf(self->m02);
+  const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
+  const float q0_y_0 = self->m00 * q0_s;
+  const float q0_y_1 = self->m01 * q0_s;
+  const float q0_y_2 = self->m02 * q0_s;
+  const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
+  const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
+  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
+  const float q0_enlarged_0 = self->m00 * q0_up;
+  const float q0_enlarged_1 = self->m01 * q0_up;
+  const float q0_enlarged_2 = self->m02 * q0_up;
+  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_0 = q0_quotient_0 * q0_down;
+  const float q0_1 = q0_quotient_1 * q0_down;
+  const float q0_2 = q0_quotient_2 * q0_down;
+  const float u1_s_size_0 = fabsf(self->m10);
+  const float u1_s_size_1 = fabsf(self->m11);
+  const float u1_s_size_2 = fabsf(self->m12);
+  const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
+  const float u1_y_0 = self->m10 * u1_s;
+  const float u1_y_1 = self->m11 * u1_s;
+  const float u1_y_2 = self->m12 * u1_s;
+  const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
+  const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
+  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
+  const float u1_enlarged_0 = self->m10 * u1_up;
+  const float u1_enlarged_1 = self->m11 * u1_up;
+  const float u1_enlarged_2 = self->m12 * u1_up;
+  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_0 = u1_quotient_0 * u1_down;
+  const float u1_1 = u1_quotient_1 * u1_down;
+  const float u1_2 = u1_quotient_2 * u1_down;
+  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float q1_0 = twice_0 / divisor;
+  const float q1_1 = twice_1 / divisor;
+  const float q1_2 = twice_2 / divisor;
+  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float u2_s_size_0 = fabsf(self->m20);
+  const float u2_s_size_1 = fabsf(self->m21);
+  const float u2_s_size_2 = fabsf(self->m22);
+  const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
+  const float u2_y_0 = self->m20 * u2_s;
+  const float u2_y_1 = self->m21 * u2_s;
+  const float u2_y_2 = self->m22 * u2_s;
+  const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
+  const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
+  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
+  const float u2_enlarged_0 = self->m20 * u2_up;
+  const float u2_enlarged_1 = self->m21 * u2_up;
+  const float u2_enlarged_2 = self->m22 * u2_up;
+  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_0 = u2_quotient_0 * u2_down;
+  const float u2_1 = u2_quotient_1 * u2_down;
+  const float u2_2 = u2_quotient_2 * u2_down;
+  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
+  const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
+  const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
+  const float size = fabsf(side);
+  const float less = n < size ? n : size;
+  const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
+  const float self_00_new = dependent == 1.0f ? (float)NAN : q0_0;
+  const float self_01_new = dependent == 1.0f ? (float)NAN : q0_1;
+  const float self_02_new = dependent == 1.0f ? (float)NAN : q0_2;
+  const float self_10_new = dependent == 1.0f ? (float)NAN : q1_0;
+  const float self_11_new = dependent == 1.0f ? (float)NAN : q1_1;
+  const float self_12_new = dependent == 1.0f ? (float)NAN : q1_2;
+  const float self_20_new = dependent == 1.0f ? (float)NAN : q2_0;
+  const float self_21_new = dependent == 1.0f ? (float)NAN : q2_1;
+  const float self_22_new = dependent == 1.0f ? (float)NAN : q2_2;
+  self->m00 = self_00_new;
+  self->m01 = self_01_new;
+  self->m02 = self_02_new;
+  self->m10 = self_10_new;
+  self->m11 = self_11_new;
+  self->m12 = self_12_new;
+  self->m20 = self_20_new;
+  self->m21 = self_21_new;
+  self->m22 = self_22_new;
+}
+
+/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
+     of it, the third its side of both; NaN where rows depend on each other to rounding.
+   R, Ro: rotation or other 3×3 matrix.
+   60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
+   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
+  const float q0_s_size_0 = fabsf(R->m00);
+  const float q0_s_size_1 = fabsf(R->m01);
+  const float q0_s_size_2 = fabsf(R->m02);
+  const float q0_s_largest1 = q0_s_size_0 < q0_s_size_1 ? q0_s_size_1 : q0_s_size_0;
+  const float q0_s_largest2 = q0_s_largest1 < q0_s_size_2 ? q0_s_size_2 : q0_s_largest1;
+  const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
+      q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
+      q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
+  const float q0_y_0 = R->m00 * q0_s;
+  const float q0_y_1 = R->m01 * q0_s;
+  const float q0_y_2 = R->m02 * q0_s;
+  const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
+  const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
+  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
+      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
+  const float q0_enlarged_0 = R->m00 * q0_up;
+  const float q0_enlarged_1 = R->m01 * q0_up;
+  const float q0_enlarged_2 = R->m02 * q0_up;
+  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
+  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
+  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_0 = q0_quotient_0 * q0_down;
+  const float q0_1 = q0_quotient_1 * q0_down;
+  const float q0_2 = q0_quotient_2 * q0_down;
+  const float u1_s_size_0 = fabsf(R->m10);
+  const float u1_s_size_1 = fabsf(R->m11);
+  const float u1_s_size_2 = fabsf(R->m12);
+  const float u1_s_largest1 = u1_s_size_0 < u1_s_size_1 ? u1_s_size_1 : u1_s_size_0;
+  const float u1_s_largest2 = u1_s_largest1 < u1_s_size_2 ? u1_s_size_2 : u1_s_largest1;
+  const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
+      u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
+  const float u1_y_0 = R->m10 * u1_s;
+  const float u1_y_1 = R->m11 * u1_s;
+  const float u1_y_2 = R->m12 * u1_s;
+  const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
+  const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
+  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
+      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
+  const float u1_enlarged_0 = R->m10 * u1_up;
+  const float u1_enlarged_1 = R->m11 * u1_up;
+  const float u1_enlarged_2 = R->m12 * u1_up;
+  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
+  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
+  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_0 = u1_quotient_0 * u1_down;
+  const float u1_1 = u1_quotient_1 * u1_down;
+  const float u1_2 = u1_quotient_2 * u1_down;
+  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
+      along_d = q0_2 * u1_2, along = along_c + along_d;
+  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
+  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
+  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
+  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
+      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
+  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
+  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
+  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
+  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
+      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float q1_0 = twice_0 / divisor;
+  const float q1_1 = twice_1 / divisor;
+  const float q1_2 = twice_2 / divisor;
+  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
+  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
+  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float u2_s_size_0 = fabsf(R->m20);
+  const float u2_s_size_1 = fabsf(R->m21);
+  const float u2_s_size_2 = fabsf(R->m22);
+  const float u2_s_largest1 = u2_s_size_0 < u2_s_size_1 ? u2_s_size_1 : u2_s_size_0;
+  const float u2_s_largest2 = u2_s_largest1 < u2_s_size_2 ? u2_s_size_2 : u2_s_largest1;
+  const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
+      u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
+      u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
+  const float u2_y_0 = R->m20 * u2_s;
+  const float u2_y_1 = R->m21 * u2_s;
+  const float u2_y_2 = R->m22 * u2_s;
+  const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
+  const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
+  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
+      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
+  const float u2_enlarged_0 = R->m20 * u2_up;
+  const float u2_enlarged_1 = R->m21 * u2_up;
+  const float u2_enlarged_2 = R->m22 * u2_up;
+  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
+  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
+  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_0 = u2_quotient_0 * u2_down;
+  const float u2_1 = u2_quotient_1 * u2_down;
+  const float u2_2 = u2_quotient_2 * u2_down;
+  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
+      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
+  const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
+  const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
+  const float size = fabsf(side);
+  const float less = n < size ? n : size;
+  const float dependent = less < 9.536743e-07f ? 1.0f : 0.0f;
+  const float Ro_00 = dependent == 1.0f ? (float)NAN : q0_0;
+  const float Ro_01 = dependent == 1.0f ? (float)NAN : q0_1;
+  const float Ro_02 = dependent == 1.0f ? (float)NAN : q0_2;
+  const float Ro_10 = dependent == 1.0f ? (float)NAN : q1_0;
+  const float Ro_11 = dependent == 1.0f ? (float)NAN : q1_1;
+  const float Ro_12 = dependent == 1.0f ? (float)NAN : q1_2;
+  const float Ro_20 = dependent == 1.0f ? (float)NAN : q2_0;
+  const float Ro_21 = dependent == 1.0f ? (float)NAN : q2_1;
+  const float Ro_22 = dependent == 1.0f ? (float)NAN : q2_2;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+   R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
+   12 mul, 10 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
+    const float dc[2]) {
+  const float versine = 1.0f - dc[1];
+  const float versine_axis_0 = axis->x * versine;
+  const float versine_axis_1 = axis->y * versine;
+  const float versine_axis_2 = axis->z * versine;
+  const float m_0 = axis->x * versine_axis_0;
+  const float m_1 = axis->y * versine_axis_1;
+  const float m_2 = axis->z * versine_axis_2;
+  const float m_3 = axis->y * versine_axis_0;
+  const float m_4 = axis->z * versine_axis_0;
+  const float m_5 = axis->z * versine_axis_1;
+  const float sine_axis_0 = axis->x * dc[0];
+  const float sine_axis_1 = axis->y * dc[0];
+  const float sine_axis_2 = axis->z * dc[0];
+  const float R_00 = dc[1] + m_0;
+  const float R_01 = m_3 - sine_axis_2;
+  const float R_02 = m_4 + sine_axis_1;
+  const float R_10 = m_3 + sine_axis_2;
+  const float R_11 = dc[1] + m_1;
+  const float R_12 = m_5 - sine_axis_0;
+  const float R_20 = m_4 - sine_axis_1;
+  const float R_21 = m_5 + sine_axis_0;
+  const float R_22 = dc[1] + m_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
+  const float s_0 = sinf(angles->x);
+  const float s_1 = sinf(angles->y);
+  const float s_2 = sinf(angles->z);
+  const float c_0 = cosf(angles->x);
+  const float c_1 = cosf(angles->y);
+  const float c_2 = cosf(angles->z);
+  const float first_0 = c_1 * c_2;
+  const float first_1a = s_2 * c_1, first_1 = -first_1a;
+  const float first_6a = s_1 * c_2, first_6 = -first_6a;
+  const float first_7 = s_1 * s_2;
+  const float last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
+  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const float last_5a = s_0 * c_1, last_5 = -last_5a;
+  const float last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
+  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const float last_8 = c_0 * c_1;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
+  const float n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float cosine_a = R->m00 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
+  const float sine_a = -R->m01, sine = sine_a / divisor;
+  const float polar = atan2f(sine_a, R->m00);
+  const float third = n == 0.0f ? 0.0f : polar;
+  const float left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
+  const float left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const float angles_0 = atan2f(left_2, left_1);
+  const float angles_1 = atan2f(R->m02, n);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
+  const float s_0 = sinf(angles->x);
+  const float s_1 = sinf(angles->y);
+  const float s_2 = sinf(angles->z);
+  const float c_0 = cosf(angles->x);
+  const float c_1 = cosf(angles->y);
+  const float c_2 = cosf(angles->z);
+  const float first_1 = s_1 * s_2;
+  const float first_2 = s_1 * c_2;
+  const float first_7 = s_2 * c_1;
+  const float first_8 = c_1 * c_2;
+  const float last_3 = s_0 * s_1;
+  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
+  const float last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
+      last_5 = -last_5c;
+  const float last_6a = s_1 * c_0, last_6 = -last_6a;
+  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
+  const float last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock.
+   R: rotation or other 3×3 matrix; angles: vector.
+   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+     not proved. */
+static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
+  const float n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float divisor = n == 0.0f ? 1.0f : n;
+  const float cosine_a = R->m02 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
+  const float sine = R->m01 / divisor;
+  const float polar = atan2f(R->m01, R->m02);
+  const float third = n == 0.0f ? 0.0f : polar;
+  const float left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
+  const float left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const float angles_0 = atan2f(left_2, left_1);
+  const float angles_1 = atan2f(n, R->m00);
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+}
+
+/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+   A, V: rotation or other 3×3 matrix.
+   21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
+   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
+  const float twice = 2.0f * A->m10;
+  const float apart = A->m11 - A->m00;
+  const float divisor = twice == 0.0f ? 1.0f : twice;
+  const float theta = apart / divisor;
+  const float absolute = fabsf(theta);
+  const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
+      size = absolute + size_c;
+  const float along_a = -size, along = theta < 0.0f ? along_a : size;
+  const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
+  const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
+  const float c = 1.0f / secant;
+  const float s = t * c;
+  const float change = A->m10 * t;
+  const float zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
+  const float zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
+  const float vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
+  const float vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
+  const float vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
+  const float vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
+  const float vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
+  const float vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const float A_00_new = A->m11 + change;
+  const float A_22_new = A->m00 - change;
+  const float A_m22 = A->m22;
+  const float V_m02 = V->m02;
+  const float V_m12 = V->m12;
+  const float V_m22 = V->m22;
+  A->m00 = A_00_new;
+  A->m01 = zq;
+  A->m02 = 0.0f;
+  A->m10 = zq;
+  A->m11 = A_m22;
+  A->m12 = zp;
+  A->m20 = 0.0f;
+  A->m21 = zp;
+  A->m22 = A_22_new;
+  V->m00 = vq_0;
+  V->m01 = V_m02;
+  V->m02 = vp_0;
+  V->m10 = vq_1;
+  V->m11 = V_m12;
+  V->m12 = vp_1;
+  V->m20 = vq_2;
+  V->m21 = V_m22;
+  V->m22 = vp_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
+    ksl_mat3x3f_t *R) {
+  const float half = 0.5f * angle;
+  const float h = sinf(half);
+  const float cosine = cosf(angle);
+  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
+      versine = cosine < 0.0f ? versine_c : versine_b;
+  const float sine = sinf(angle);
+  const float beta_v_0 = axis->x * versine;
+  const float beta_v_1 = axis->y * versine;
+  const float beta_v_2 = axis->z * versine;
+  const float m_0 = axis->x * beta_v_0;
+  const float m_1 = axis->y * beta_v_1;
+  const float m_2 = axis->z * beta_v_2;
+  const float m_3 = axis->y * beta_v_0;
+  const float m_4 = axis->z * beta_v_0;
+  const float m_5 = axis->z * beta_v_1;
+  const float others_0 = m_1 + m_2;
+  const float others_1 = m_0 + m_2;
+  const float others_2 = m_0 + m_1;
+  const float alpha_v_0 = axis->x * sine;
+  const float alpha_v_1 = axis->y * sine;
+  const float alpha_v_2 = axis->z * sine;
+  const float R_00 = 1.0f - others_0;
+  const float R_01 = m_3 - alpha_v_2;
+  const float R_02 = m_4 + alpha_v_1;
+  const float R_10 = m_3 + alpha_v_2;
+  const float R_11 = 1.0f - others_1;
+  const float R_12 = m_5 - alpha_v_0;
+  const float R_20 = m_4 - alpha_v_1;
+  const float R_21 = m_5 + alpha_v_0;
+  const float R_22 = 1.0f - others_2;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+   R: rotation or other 3×3 matrix; axis: vector.
+   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {
+  const float p_0 = R->m21 - R->m12;
+  const float p_1 = R->m02 - R->m20;
+  const float p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21;
+  const float s_1 = R->m02 + R->m20;
+  const float s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f;
+  const float first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22;
+  const float others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0;
+  const float d_1 = first_0 - others_0;
+  const float d_2 = first_1 + others_1;
+  const float d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
+  const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
+  const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
+  const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
+  const float v_s_size_0 = fabsf(upper_0);
+  const float v_s_size_1 = fabsf(upper_1);
+  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
+  const float v_y_0 = upper_0 * v_s;
+  const float v_y_1 = upper_1 * v_s;
+  const float v_y_2 = upper_2 * v_s;
+  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
+  const float n = v_n * v_r;
+  const float half = atan2f(n, upper_3);
+  const float divisor = v_n == 0.0f ? 1.0f : v_n;
+  const float unit_0 = v_y_0 / divisor;
+  const float unit_1 = v_y_1 / divisor;
+  const float unit_2 = v_y_2 / divisor;
+  const float angle = 2.0f * half;
+  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  return angle;
+}
+
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
@@ -424,5 +1684,244 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3_invert(ksl_mat3x3_t *R) {
+  return ksl_mat3x3_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3_inverted(
+    const ksl_mat3x3_t *ri, ksl_mat3x3_t *ro) {
+  return ksl_mat3x3_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3 has them. */
+static inline void ksl_mat3x3_getAxisAngle(
+    const ksl_mat3x3_t *r, ksl_vec3_t *axis, double *angle) {
+  *angle = ksl_axis_angle_from_mat3x3(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3_setFromAxisAngle(
+    ksl_mat3x3_t *r, const ksl_vec3_t *axis, const double angle) {
+  ksl_vec3_t unit;
+  ksl_vec3_normalized(axis, &unit);
+  ksl_mat3x3_from_axis_angle(&unit, angle, r);
+}
+
+/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
+   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3_setFromEulerAngles(
+    ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, const ksl_vec3_t *angles) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
+  const ksl_vec3_t turned =
+      ksl_vec3(sign * angles->x, sign * angles->y, sign * angles->z);
+  ksl_mat3x3_t R;
+  if (axes.x < 0) {
+    for (int i = 0; i < 9; i++) { r->as_array[i] = (double)NAN; }
+    return;
+  }
+  if (axes.x == axes.z) {
+    ksl_mat3x3_from_euler_xyx(&turned, &R);
+  } else {
+    ksl_mat3x3_from_euler_xyz(&turned, &R);
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
+  }
+}
+
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
+   sequence, next to those of the reference (ksl_vec3_t *) that follows, zeros for NULL: z from 1/8
+   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
+   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3_getEulerAnglesWithReference(
+    const ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, ksl_vec3_t *angles, ...) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
+  const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
+  ksl_vec3_t near = ksl_vec3(0, 0, 0), found = near;
+  const ksl_vec3_t *reference;
+  ksl_mat3x3_t R;
+  va_list arguments;
+  va_start(arguments, angles);
+  reference = va_arg(arguments, const ksl_vec3_t *);
+  va_end(arguments);
+  if (reference != NULL) { near = *reference; }
+  if (axes.x < 0) {
+    angles->x = angles->y = angles->z = (double)NAN;
+    return;
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { R.at[column][row] = r->at[own[column]][own[row]]; }
+  }
+  if (axes.x == axes.z) {
+    ksl_euler_xyx_from_mat3x3(&R, &found);
+  } else {
+    ksl_euler_xyz_from_mat3x3(&R, &found);
+  }
+  {
+    const double z = sign * found.z, turns = ceil((near.z - eighth - z) / half);
+    const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
+    const double y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
+    const double x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
+    angles->x = x + whole * ceil((near.x - eighth - x) / whole);
+    angles->y = middle + whole * ceil((near.y - eighth - middle) / whole);
+    angles->z = z + half * turns;
+  }
+}
+
+/* The same; the reference may be left out. */
+#define ksl_mat3x3_getEulerAngles(r, ...) \
+  ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const double value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3_swap(&v->v[i], &v->v[j]);
+      ksl_vec3_invert(&v->v[j]);
+    }
+  }
+}
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
+  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3f_inverted(
+    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
+  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+static inline void ksl_mat3x3f_getAxisAngle(
+    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
+  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3f_setFromAxisAngle(
+    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
+  ksl_vec3f_t unit;
+  ksl_vec3f_normalized(axis, &unit);
+  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
+}
+
+/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
+   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3f_setFromEulerAngles(
+    ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, const ksl_vec3f_t *angles) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
+  const ksl_vec3f_t turned =
+      ksl_vec3f(sign * angles->x, sign * angles->y, sign * angles->z);
+  ksl_mat3x3f_t R;
+  if (axes.x < 0) {
+    for (int i = 0; i < 9; i++) { r->as_array[i] = (float)NAN; }
+    return;
+  }
+  if (axes.x == axes.z) {
+    ksl_mat3x3f_from_euler_xyx(&turned, &R);
+  } else {
+    ksl_mat3x3f_from_euler_xyz(&turned, &R);
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
+  }
+}
+
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
+   sequence, next to those of the reference (ksl_vec3f_t *) that follows, zeros for NULL: z from 1/8
+   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
+   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+static inline void ksl_mat3x3f_getEulerAnglesWithReference(
+    const ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, ksl_vec3f_t *angles, ...) {
+  const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
+  const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
+  const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
+  const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
+  ksl_vec3f_t near = ksl_vec3f(0, 0, 0), found = near;
+  const ksl_vec3f_t *reference;
+  ksl_mat3x3f_t R;
+  va_list arguments;
+  va_start(arguments, angles);
+  reference = va_arg(arguments, const ksl_vec3f_t *);
+  va_end(arguments);
+  if (reference != NULL) { near = *reference; }
+  if (axes.x < 0) {
+    angles->x = angles->y = angles->z = (float)NAN;
+    return;
+  }
+  for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; row++) { R.at[column][row] = r->at[own[column]][own[row]]; }
+  }
+  if (axes.x == axes.z) {
+    ksl_euler_xyx_from_mat3x3f(&R, &found);
+  } else {
+    ksl_euler_xyz_from_mat3x3f(&R, &found);
+  }
+  {
+    const float z = sign * found.z, turns = ceilf((near.z - eighth - z) / half);
+    const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
+    const float y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
+    const float x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
+    angles->x = x + whole * ceilf((near.x - eighth - x) / whole);
+    angles->y = middle + whole * ceilf((near.y - eighth - middle) / whole);
+    angles->z = z + half * turns;
+  }
+}
+
+/* The same; the reference may be left out. */
+#define ksl_mat3x3f_getEulerAngles(r, ...) \
+  ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3f_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3f_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const float value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3f_swap(&v->v[i], &v->v[j]);
+      ksl_vec3f_invert(&v->v[j]);
+    }
+  }
+}
 
 #endif

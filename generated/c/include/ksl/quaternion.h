@@ -77,7 +77,7 @@ static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quat
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -87,7 +87,8 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -95,14 +96,15 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -112,7 +114,8 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -142,7 +145,7 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -152,7 +155,8 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest3 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = q->x * s;
   const double y_1 = q->y * s;
   const double y_2 = q->z * s;
@@ -299,7 +303,8 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
   const double squares_1 = q->x * q->x;
@@ -346,7 +351,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -394,7 +399,7 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = 0.5 * angle;
@@ -412,27 +417,43 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -449,18 +470,51 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
   const double h_0 = 0.5 * v->x;
   const double h_1 = 0.5 * v->y;
   const double h_2 = 0.5 * v->z;
-  const double x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const double size = sqrt(x);
-  const double cosine_a = cos(size), cosine = x < 1.0 ? 1.0 : cosine_a;
-  const double sine_a = sin(size), sine = x < 1.0 ? 1.0 : sine_a;
-  const double divisor = x < 1.0 ? 2.0 : size;
-  const double far_k = sine / divisor;
+  const double size_0 = fabs(h_0);
+  const double size_1 = fabs(h_1);
+  const double size_2 = fabs(h_2);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = sizes * 268435456.0;
+  const double shifted_0 = h_0 + grid;
+  const double shifted_1 = h_1 + grid;
+  const double shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0;
+  const double low_1 = h_1 - high_1;
+  const double low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0;
+  const double sum_1 = h_1 + high_1;
+  const double sum_2 = h_2 + high_2;
+  const double squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const double cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const double exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double small_a = 0.5 * residual, small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  const double sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const double cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const double far_k = sine / theta;
   const double k_a = 6.446950284384474e-26 * x, k_b = k_a - 3.868170170630684e-23, k_c = x * k_b,
       k_d = k_c + 1.9572941063391263e-20, k_e = x * k_d, k_f = k_e - 8.22063524662433e-18,
       k_g = x * k_f, k_h = k_g + 2.8114572543455206e-15, k_i = x * k_h,
@@ -490,27 +544,43 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double upper_0a = -q->x, upper_0 = q->w < 0.0 ? upper_0a : q->x;
-  const double upper_1a = -q->y, upper_1 = q->w < 0.0 ? upper_1a : q->y;
-  const double upper_2a = -q->z, upper_2 = q->w < 0.0 ? upper_2a : q->z;
-  const double upper_3a = -q->w, upper_3 = q->w < 0.0 ? upper_3a : q->w;
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = q->x * s;
+  const double scaled_s_1 = q->y * s;
+  const double scaled_s_2 = q->z * s;
+  const double scaled_s_3 = q->w * s;
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -526,9 +596,10 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     const double k, ksl_quaternion_t *qo) {
   const double between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
@@ -554,14 +625,16 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s = v_s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : v_s_b;
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = upper_0 * v_s;
   const double v_y_1 = upper_1 * v_s;
   const double v_y_2 = upper_2 * v_s;
   const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r = 1.0 < v_s ? 2.409919865102884e-181 : v_r_b;
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = v_n * v_r;
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -572,13 +645,47 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_qu
   const double step_0 = rate * kv_0;
   const double step_1 = rate * kv_1;
   const double step_2 = rate * kv_2;
-  const double exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const double exp_size = sqrt(exp_x);
-  const double exp_cosine_a = cos(exp_size), exp_cosine = exp_x < 1.0 ? 1.0 : exp_cosine_a;
-  const double exp_sine_a = sin(exp_size), exp_sine = exp_x < 1.0 ? 1.0 : exp_sine_a;
-  const double exp_divisor = exp_x < 1.0 ? 2.0 : exp_size;
-  const double exp_far_k = exp_sine / exp_divisor;
+  const double exp_size_0 = fabs(step_0);
+  const double exp_size_1 = fabs(step_1);
+  const double exp_size_2 = fabs(step_2);
+  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double exp_grid = exp_sizes * 268435456.0;
+  const double exp_shifted_0 = step_0 + exp_grid;
+  const double exp_shifted_1 = step_1 + exp_grid;
+  const double exp_shifted_2 = step_2 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid;
+  const double exp_high_1 = exp_shifted_1 - exp_grid;
+  const double exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = step_0 - exp_high_0;
+  const double exp_low_1 = step_1 - exp_high_1;
+  const double exp_low_2 = step_2 - exp_high_2;
+  const double exp_sum_0 = step_0 + exp_high_0;
+  const double exp_sum_1 = step_1 + exp_high_1;
+  const double exp_sum_2 = step_2 + exp_high_2;
+  const double exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const double exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_x = exp_squares + exp_cross;
+  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
+  const double exp_theta_shifted = exp_grid + exp_theta;
+  const double exp_theta_high = exp_theta_shifted - exp_grid;
+  const double exp_theta_low = exp_theta - exp_theta_high;
+  const double exp_theta_sum = exp_theta + exp_theta_high;
+  const double exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const double exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const double exp_residual = exp_cross_rest + exp_exact;
+  const double exp_small_a = 0.5 * exp_residual, exp_small = exp_small_a / exp_theta;
+  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine_a = cos(exp_theta),
+      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
+  const double exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const double exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_far_k = exp_sine / exp_theta;
   const double exp_k_a = 6.446950284384474e-26 * exp_x, exp_k_b = exp_k_a - 3.868170170630684e-23,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572941063391263e-20,
       exp_k_e = exp_x * exp_k_d, exp_k_f = exp_k_e - 8.22063524662433e-18,
@@ -691,7 +798,7 @@ static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_qu
 
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
-   9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select. */
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -701,21 +808,23 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
   const float y_3 = q->w * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; zero stays zero.
    self: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -725,7 +834,8 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -755,7 +865,7 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
 
 /* qo = q / |q|; zero stays zero.
    q, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select. */
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -765,7 +875,8 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
-      s = s_largest3 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = q->x * s;
   const float y_1 = q->y * s;
   const float y_2 = q->z * s;
@@ -913,7 +1024,8 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component; searched, not proved. */
+   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+     |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
   const float squares_1 = q->x * q->x;
@@ -960,7 +1072,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component; searched, not proved. */
+   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -1008,7 +1120,7 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
-   Error <= qo: 3 u of its largest component; searched, not proved. */
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = 0.5f * angle;
@@ -1026,26 +1138,42 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
    Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
@@ -1062,18 +1190,51 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   34 mul, 27 add, 1 div, 1 sqrt, 1 sin, 1 cos, 1 less, 5 select.
-   Error <= qo: 7 u of its largest component; searched, not proved. */
+   43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
   const float h_0 = 0.5f * v->x;
   const float h_1 = 0.5f * v->y;
   const float h_2 = 0.5f * v->z;
-  const float x_a = h_0 * h_0, x_b = h_1 * h_1, x_c = x_a + x_b, x_d = h_2 * h_2, x = x_c + x_d;
-  const float size = sqrtf(x);
-  const float cosine_a = cosf(size), cosine = x < 1.0f ? 1.0f : cosine_a;
-  const float sine_a = sinf(size), sine = x < 1.0f ? 1.0f : sine_a;
-  const float divisor = x < 1.0f ? 2.0f : size;
-  const float far_k = sine / divisor;
+  const float size_0 = fabsf(h_0);
+  const float size_1 = fabsf(h_1);
+  const float size_2 = fabsf(h_2);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = sizes * 8192.0f;
+  const float shifted_0 = h_0 + grid;
+  const float shifted_1 = h_1 + grid;
+  const float shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0;
+  const float low_1 = h_1 - high_1;
+  const float low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0;
+  const float sum_1 = h_1 + high_1;
+  const float sum_2 = h_2 + high_2;
+  const float squares_a = high_0 * high_0, squares_b = high_1 * high_1,
+      squares_c = squares_a + squares_b, squares_d = high_2 * high_2,
+      squares = squares_c + squares_d;
+  const float cross_a = low_0 * sum_0, cross_b = low_1 * sum_1, cross_c = cross_a + cross_b,
+      cross_d = low_2 * sum_2, cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = theta_low * theta_sum, cross_rest = cross - cross_rest_a;
+  const float exact_a = theta_high * theta_high, exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float small_a = 0.5f * residual, small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  const float sine_a = delta * far_cosine, sine = sine_a + far_sine;
+  const float cosine_a = delta * far_sine, cosine = far_cosine - cosine_a;
+  const float far_k = sine / theta;
   const float k_a = 6.4469503e-26f * x, k_b = k_a - 3.8681703e-23f, k_c = x * k_b,
       k_d = k_c + 1.9572942e-20f, k_e = x * k_d, k_f = k_e - 8.220635e-18f, k_g = x * k_f,
       k_h = k_g + 2.8114574e-15f, k_i = x * k_h, k_j = k_i - 7.6471636e-13f, k_k = x * k_j,
@@ -1101,26 +1262,42 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
    Error <= vo: 5 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float upper_0a = -q->x, upper_0 = q->w < 0.0f ? upper_0a : q->x;
-  const float upper_1a = -q->y, upper_1 = q->w < 0.0f ? upper_1a : q->y;
-  const float upper_2a = -q->z, upper_2 = q->w < 0.0f ? upper_2a : q->z;
-  const float upper_3a = -q->w, upper_3 = q->w < 0.0f ? upper_3a : q->w;
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = q->x * s;
+  const float scaled_s_1 = q->y * s;
+  const float scaled_s_2 = q->z * s;
+  const float scaled_s_3 = q->w * s;
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
   const float v_s_size_0 = fabsf(upper_0);
   const float v_s_size_1 = fabsf(upper_1);
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -1136,9 +1313,10 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   76 mul, 53 add, 2 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 3 abs, 8 less, 1 equal, 16
+   85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component; searched, not proved. */
+   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+     searched, not proved. */
 static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
     const float k, ksl_quaternionf_t *qo) {
   const float between_0a = q1->w * q2->x, between_0b = q1->x * q2->w,
@@ -1164,13 +1342,15 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s = v_s_largest2 < 8.881784e-16f ? 1.2676506e+30f : v_s_b;
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
   const float v_y_0 = upper_0 * v_s;
   const float v_y_1 = upper_1 * v_s;
   const float v_y_2 = upper_2 * v_s;
   const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
       v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r = 1.0f < v_s ? 7.888609e-31f : v_r_b;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = v_n * v_r;
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
@@ -1181,13 +1361,48 @@ static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_
   const float step_0 = rate * kv_0;
   const float step_1 = rate * kv_1;
   const float step_2 = rate * kv_2;
-  const float exp_x_a = step_0 * step_0, exp_x_b = step_1 * step_1, exp_x_c = exp_x_a + exp_x_b,
-      exp_x_d = step_2 * step_2, exp_x = exp_x_c + exp_x_d;
-  const float exp_size = sqrtf(exp_x);
-  const float exp_cosine_a = cosf(exp_size), exp_cosine = exp_x < 1.0f ? 1.0f : exp_cosine_a;
-  const float exp_sine_a = sinf(exp_size), exp_sine = exp_x < 1.0f ? 1.0f : exp_sine_a;
-  const float exp_divisor = exp_x < 1.0f ? 2.0f : exp_size;
-  const float exp_far_k = exp_sine / exp_divisor;
+  const float exp_size_0 = fabsf(step_0);
+  const float exp_size_1 = fabsf(step_1);
+  const float exp_size_2 = fabsf(step_2);
+  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float exp_grid = exp_sizes * 8192.0f;
+  const float exp_shifted_0 = step_0 + exp_grid;
+  const float exp_shifted_1 = step_1 + exp_grid;
+  const float exp_shifted_2 = step_2 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid;
+  const float exp_high_1 = exp_shifted_1 - exp_grid;
+  const float exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = step_0 - exp_high_0;
+  const float exp_low_1 = step_1 - exp_high_1;
+  const float exp_low_2 = step_2 - exp_high_2;
+  const float exp_sum_0 = step_0 + exp_high_0;
+  const float exp_sum_1 = step_1 + exp_high_1;
+  const float exp_sum_2 = step_2 + exp_high_2;
+  const float exp_squares_a = exp_high_0 * exp_high_0, exp_squares_b = exp_high_1 * exp_high_1,
+      exp_squares_c = exp_squares_a + exp_squares_b, exp_squares_d = exp_high_2 * exp_high_2,
+      exp_squares = exp_squares_c + exp_squares_d;
+  const float exp_cross_a = exp_low_0 * exp_sum_0, exp_cross_b = exp_low_1 * exp_sum_1,
+      exp_cross_c = exp_cross_a + exp_cross_b, exp_cross_d = exp_low_2 * exp_sum_2,
+      exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_x = exp_squares + exp_cross;
+  const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
+  const float exp_theta_shifted = exp_grid + exp_theta;
+  const float exp_theta_high = exp_theta_shifted - exp_grid;
+  const float exp_theta_low = exp_theta - exp_theta_high;
+  const float exp_theta_sum = exp_theta + exp_theta_high;
+  const float exp_cross_rest_a = exp_theta_low * exp_theta_sum,
+      exp_cross_rest = exp_cross - exp_cross_rest_a;
+  const float exp_exact_a = exp_theta_high * exp_theta_high, exp_exact = exp_squares - exp_exact_a;
+  const float exp_residual = exp_cross_rest + exp_exact;
+  const float exp_small_a = 0.5f * exp_residual, exp_small = exp_small_a / exp_theta;
+  const float exp_delta_a = fabsf(exp_small),
+      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine_a = cosf(exp_theta),
+      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
+  const float exp_sine_a = exp_delta * exp_far_cosine, exp_sine = exp_sine_a + exp_far_sine;
+  const float exp_cosine_a = exp_delta * exp_far_sine, exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_far_k = exp_sine / exp_theta;
   const float exp_k_a = 6.4469503e-26f * exp_x, exp_k_b = exp_k_a - 3.8681703e-23f,
       exp_k_c = exp_x * exp_k_b, exp_k_d = exp_k_c + 1.9572942e-20f, exp_k_e = exp_x * exp_k_d,
       exp_k_f = exp_k_e - 8.220635e-18f, exp_k_g = exp_x * exp_k_f,

@@ -215,7 +215,7 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -229,21 +229,23 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -257,7 +259,8 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -294,7 +297,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -308,7 +311,8 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -1042,6 +1046,52 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -1304,7 +1354,7 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -1318,20 +1368,22 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -1345,7 +1397,8 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -1382,7 +1435,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -1396,7 +1449,8 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = p_0 * s;
   const float y_1 = p_1 * s;
   const float y_2 = p_2 * s;
@@ -2129,6 +2183,52 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
   so->m5 = 0.0f;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float so_3 = -a_0;
+  const float so_4 = -a_1;
+  const float so_5 = -a_2;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
+  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+}
+
 /* M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]].
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    6 neg.
@@ -2200,5 +2300,93 @@ static inline ksl_screwf_t *ksl_screwf_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_copy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screw_ncopy_rmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_copy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screw_ncopy_cmo(
+    const ksl_screw_t *si, double *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_copy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies row by row, stride
+   apart. */
+static inline void ksl_screwf_ncopy_rmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[(rowIndex + i) * stride + columnIndex] = -si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_copy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = si->at[i];
+  }
+}
+
+/* Six entries of A, down from (rowIndex, columnIndex), become -si; A lies column by column, stride
+   apart. */
+static inline void ksl_screwf_ncopy_cmo(
+    const ksl_screwf_t *si, float *A, const int rowIndex, const int columnIndex,
+    const int stride) {
+  for (int i = 0; i < 6; i++) {
+    A[columnIndex * stride + rowIndex + i] = -si->at[i];
+  }
+}
+
+/* ksl_hsrxinvf, as KSL spells it, too. */
+static inline void ksl_hrxinvf(const ksl_SE3f_t *Di, ksl_screwf_t *ho) {
+  ksl_hsrxinvf(Di, ho);
+}
 
 #endif

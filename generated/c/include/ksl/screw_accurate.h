@@ -278,7 +278,7 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
      select. */
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -293,7 +293,8 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -311,7 +312,8 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -326,7 +328,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -341,7 +343,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -360,7 +363,13 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->m0 * up;
   const double enlarged_1 = self->m1 * up;
   const double enlarged_2 = self->m2 * up;
@@ -515,7 +524,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
+   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -530,7 +539,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -549,7 +559,13 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = si->m0 * up;
   const double enlarged_1 = si->m1 * up;
   const double enlarged_2 = si->m2 * up;
@@ -1940,6 +1956,123 @@ static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
   so->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   21 mul, 54 add, 15 product rest, 6 neg.
+   Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
+      a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
+      a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
+      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d,
+      a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right, a_0_left_rest = a_0c - a_0_left,
+      a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
+      a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
+      a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
+      a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
+      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d,
+      a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right, a_1_left_rest = a_1c - a_1_left,
+      a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
+      a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
+      a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
+      a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
+      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d,
+      a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right, a_2_left_rest = a_2c - a_2_left,
+      a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
+      a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
+  const double so_0a = D->m23 * a_1, so_0a_cross2 = D->m23 * a_1_lo, so_0b = D->m13 * a_2,
+      so_0b_cross2 = D->m13 * a_2_lo, so_0 = so_0a - so_0b, so_0_right = so_0a - so_0,
+      so_0_left = so_0 + so_0_right,
+      so_0_left_rest = ksl_product_rest(D->m23, a_1, so_0a, so_0_left),
+      so_0_right_rest = ksl_product_rest(D->m13, a_2, so_0b, so_0_right),
+      so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
+      so_0_lo = so_0_lo1 + so_0_cross;
+  const double so_1a = D->m03 * a_2, so_1a_cross2 = D->m03 * a_2_lo, so_1b = D->m23 * a_0,
+      so_1b_cross2 = D->m23 * a_0_lo, so_1 = so_1a - so_1b, so_1_right = so_1a - so_1,
+      so_1_left = so_1 + so_1_right,
+      so_1_left_rest = ksl_product_rest(D->m03, a_2, so_1a, so_1_left),
+      so_1_right_rest = ksl_product_rest(D->m23, a_0, so_1b, so_1_right),
+      so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
+      so_1_lo = so_1_lo1 + so_1_cross;
+  const double so_2a = D->m13 * a_0, so_2a_cross2 = D->m13 * a_0_lo, so_2b = D->m03 * a_1,
+      so_2b_cross2 = D->m03 * a_1_lo, so_2 = so_2a - so_2b, so_2_right = so_2a - so_2,
+      so_2_left = so_2 + so_2_right,
+      so_2_left_rest = ksl_product_rest(D->m13, a_0, so_2a, so_2_left),
+      so_2_right_rest = ksl_product_rest(D->m03, a_1, so_2b, so_2_right),
+      so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
+      so_2_lo = so_2_lo1 + so_2_cross;
+  const double so_3 = -a_0, so_3_lo = -a_0_lo;
+  const double so_4 = -a_1, so_4_lo = -a_1_lo;
+  const double so_5 = -a_2, so_5_lo = -a_2_lo;
+  const double so_0_rounded = so_0 + so_0_lo;
+  const double so_1_rounded = so_1 + so_1_lo;
+  const double so_2_rounded = so_2 + so_2_lo;
+  const double so_3_rounded = so_3 + so_3_lo;
+  const double so_4_rounded = so_4 + so_4_lo;
+  const double so_5_rounded = so_5 + so_5_lo;
+  so->m0 = so_0_rounded;
+  so->m1 = so_1_rounded;
+  so->m2 = so_2_rounded;
+  so->m3 = so_3_rounded;
+  so->m4 = so_4_rounded;
+  so->m5 = so_5_rounded;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 33 add, 9 product rest, 6 neg.
+   Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+      so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
+      so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = D->m02 * axis->z,
+      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
+      so_0e_left_rest = so_0c - so_0e_left,
+      so_0e_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right),
+      so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
+      so_0 = -so_0e, so_0_lo = -so_0e_lo;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+      so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
+      so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = D->m12 * axis->z,
+      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
+      so_1e_left_rest = so_1c - so_1e_left,
+      so_1e_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right),
+      so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
+      so_1 = -so_1e, so_1_lo = -so_1e_lo;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+      so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
+      so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = D->m22 * axis->z,
+      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
+      so_2e_left_rest = so_2c - so_2e_left,
+      so_2e_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right),
+      so_2e_lo1 = so_2e_left_rest + so_2e_right_rest, so_2e_lo = so_2e_lo1 + so_2c_lo,
+      so_2 = -so_2e, so_2_lo = -so_2e_lo;
+  const double so_0_rounded = so_0 + so_0_lo;
+  const double so_1_rounded = so_1 + so_1_lo;
+  const double so_2_rounded = so_2 + so_2_lo;
+  so->m0 = so_0_rounded;
+  so->m1 = so_1_rounded;
+  so->m2 = so_2_rounded;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+}
+
 /* self = a self.
    self: screw (v in m/s; ω in rad/s); a: number.
    6 mul.
@@ -2085,7 +2218,7 @@ static inline void ksl_subtract_ssf_accurate(const ksl_screwf_t *s1, const ksl_s
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select. */
+   7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -2100,21 +2233,23 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double small_a = fabs((double)self->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
@@ -2129,7 +2264,8 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -2166,7 +2302,7 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
 static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -2181,7 +2317,8 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = p_0 * s;
   const double y_1 = p_1 * s;
   const double y_2 = p_2 * s;
@@ -2808,6 +2945,57 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
       so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1 = so_1c + so_1d;
   const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
       so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2 = so_2c + so_2d;
+  so->m0 = (float)so_0;
+  so->m1 = (float)so_1;
+  so->m2 = (float)so_2;
+  so->m3 = (float)0.0;
+  so->m4 = (float)0.0;
+  so->m5 = (float)0.0;
+}
+
+/* so = -(t×R a ; R a), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   15 mul, 9 add, 3 neg.
+   Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
+      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
+      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
+      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = (double)D->m23 * a_1, so_0b = (double)D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = (double)D->m03 * a_2, so_1b = (double)D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = (double)D->m13 * a_0, so_2b = (double)D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  so->m0 = (float)so_0;
+  so->m1 = (float)so_1;
+  so->m2 = (float)so_2;
+  so->m3 = (float)so_3;
+  so->m4 = (float)so_4;
+  so->m5 = (float)so_5;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in m/s; ω in rad/s).
+   9 mul, 6 add, 3 neg.
+   Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so) {
+  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
+      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
+      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
+      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

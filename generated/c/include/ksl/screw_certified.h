@@ -1322,6 +1322,102 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   so_bound->m5 = 0.0;
 }
 
+/* so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
+     NaN.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so, so_bound: screw (v in m/s; ω in
+     rad/s).
+   27 mul, 24 add, 3 neg, 12 abs. */
+static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so, ksl_screw_t *so_bound) {
+  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_3 = -a_0;
+  const double so_4 = -a_1;
+  const double so_5 = -a_2;
+  const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
+      a_0d_abs = fabs(a_0d), a_0_size = a_0c_size + a_0d_abs;
+  const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
+      a_1d_abs = fabs(a_1d), a_1_size = a_1c_size + a_1d_abs;
+  const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
+      a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
+  const double a_1_padded = a_1_size + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const double a_2_padded = a_2_size + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13), so_0b_size = D_13_abs * a_2_padded,
+      so_0_size = so_0a_size + so_0b_size;
+  const double D_03_abs = fabs(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const double a_0_padded = a_0_size + 2.004168360008973e-292;
+  const double so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
+      so_2_size = so_2a_size + so_2b_size;
+  const double so_0_padded = so_0_size + 2.004168360008973e-292,
+      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+  const double so_1_padded = so_1_size + 2.004168360008973e-292,
+      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+  const double so_2_padded = so_2_size + 2.004168360008973e-292,
+      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
+  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
+  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
+  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+  so_bound->m0 = so_0_error_bound;
+  so_bound->m1 = so_1_error_bound;
+  so_bound->m2 = so_2_error_bound;
+  so_bound->m3 = a_0_error_bound;
+  so_bound->m4 = a_1_error_bound;
+  so_bound->m5 = a_2_error_bound;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so, so_bound: screw (v in m/s; ω in
+     rad/s).
+   12 mul, 15 add, 3 neg, 9 abs. */
+static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
+    ksl_screw_t *so, ksl_screw_t *so_bound) {
+  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
+      so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
+  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
+      so_1d_abs = fabs(so_1d), so_1e_size = so_1c_size + so_1d_abs;
+  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
+      so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
+  const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
+      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+  const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
+      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+  const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
+      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0;
+  so->m4 = 0.0;
+  so->m5 = 0.0;
+  so_bound->m0 = so_0e_error_bound;
+  so_bound->m1 = so_1e_error_bound;
+  so_bound->m2 = so_2e_error_bound;
+  so_bound->m3 = 0.0;
+  so_bound->m4 = 0.0;
+  so_bound->m5 = 0.0;
+}
+
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: screw (v in m/s; ω in rad/s); a: number.
    12 mul, 6 add, 6 abs. */
@@ -2650,6 +2746,105 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
   so_bound->m0 = so_0_error_bound;
   so_bound->m1 = so_1_error_bound;
   so_bound->m2 = so_2_error_bound;
+  so_bound->m3 = 0.0f;
+  so_bound->m4 = 0.0f;
+  so_bound->m5 = 0.0f;
+}
+
+/* so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
+     NaN.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so, so_bound: screw (v in m/s; ω in
+     rad/s).
+   27 mul, 24 add, 3 neg, 12 abs. */
+static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so, ksl_screwf_t *so_bound) {
+  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
+  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
+  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
+  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
+  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
+  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float so_3 = -a_0;
+  const float so_4 = -a_1;
+  const float so_5 = -a_2;
+  const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
+      a_0d_abs = fabsf(a_0d), a_0_size = a_0c_size + a_0d_abs;
+  const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
+      a_1d_abs = fabsf(a_1d), a_1_size = a_1c_size + a_1d_abs;
+  const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
+      a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
+  const float a_1_padded = a_1_size + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const float a_2_padded = a_2_size + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13), so_0b_size = D_13_abs * a_2_padded,
+      so_0_size = so_0a_size + so_0b_size;
+  const float D_03_abs = fabsf(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const float a_0_padded = a_0_size + 1.9721523e-31f;
+  const float so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
+      so_2_size = so_2a_size + so_2b_size;
+  const float so_0_padded = so_0_size + 1.9721523e-31f,
+      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+  const float so_1_padded = so_1_size + 1.9721523e-31f,
+      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+  const float so_2_padded = so_2_size + 1.9721523e-31f,
+      so_2_error_bound = 2.9802328e-07f * so_2_padded;
+  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
+  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
+  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = so_3;
+  so->m4 = so_4;
+  so->m5 = so_5;
+  so_bound->m0 = so_0_error_bound;
+  so_bound->m1 = so_1_error_bound;
+  so_bound->m2 = so_2_error_bound;
+  so_bound->m3 = a_0_error_bound;
+  so_bound->m4 = a_1_error_bound;
+  so_bound->m5 = a_2_error_bound;
+}
+
+/* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; axis: vector; so, so_bound: screw (v in m/s; ω in
+     rad/s).
+   12 mul, 15 add, 3 neg, 9 abs. */
+static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
+    ksl_screwf_t *so, ksl_screwf_t *so_bound) {
+  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
+      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
+      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
+      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
+      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
+      so_0e_size = so_0c_size + so_0d_abs;
+  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
+      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
+      so_1e_size = so_1c_size + so_1d_abs;
+  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
+      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
+      so_2e_size = so_2c_size + so_2d_abs;
+  const float so_0e_padded = so_0e_size + 1.9721523e-31f,
+      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+  const float so_1e_padded = so_1e_size + 1.9721523e-31f,
+      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+  const float so_2e_padded = so_2e_size + 1.9721523e-31f,
+      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+  so->m0 = so_0;
+  so->m1 = so_1;
+  so->m2 = so_2;
+  so->m3 = 0.0f;
+  so->m4 = 0.0f;
+  so->m5 = 0.0f;
+  so_bound->m0 = so_0e_error_bound;
+  so_bound->m1 = so_1e_error_bound;
+  so_bound->m2 = so_2e_error_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;

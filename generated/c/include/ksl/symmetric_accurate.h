@@ -11,7 +11,7 @@
 /* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
      d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
    A, L: rotation or other 3×3 matrix.
-   16 mul, 72 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
+   16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
      underflow. */
 static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
@@ -34,7 +34,14 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       u1_1_left_rest = A->m21 - u1_1_left,
       u1_1_right_rest = ksl_product_rest(A->m20, l0_0, u1_1a, u1_1_right),
       u1_1_lo1 = u1_1_left_rest - u1_1_right_rest, u1_1_lo = u1_1_lo1 - u1_1a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_of_u1_1 = u1_1 + u1_1_lo, l1_of_u1_1_right = l1_of_u1_1 - u1_1,
       l1_of_u1_1_left = l1_of_u1_1 - l1_of_u1_1_right,
       l1_of_u1_1_left_rest = u1_1 - l1_of_u1_1_left,
@@ -65,19 +72,26 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00,
       part0_lo = 0.0 < A->m00 ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->m11 ? part1a : A->m11, part1_lo = 0.0 < A->m11 ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
       part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
@@ -90,8 +104,20 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       part2a_exact = part2a_rest - part2a_product_error,
       part2a_numerator = part2a_exact + part2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double smallest2_rounded = smallest2 + smallest2_lo,
       smallest2_final = smallest2_rounded == smallest2_rounded ? smallest2_rounded : smallest2;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -172,7 +198,7 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
      singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
-   89 mul, 327 add, 14 product error, 28 product rest, 28 div, 11 less, 5 equal, 38 select.
+   96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_vec3_t *b,
@@ -196,7 +222,14 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       u1_1_left_rest = A->m21 - u1_1_left,
       u1_1_right_rest = ksl_product_rest(A->m20, l0_0, u1_1a, u1_1_right),
       u1_1_lo1 = u1_1_left_rest - u1_1_right_rest, u1_1_lo = u1_1_lo1 - u1_1a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_of_u1_1 = u1_1 + u1_1_lo, l1_of_u1_1_right = l1_of_u1_1 - u1_1,
       l1_of_u1_1_left = l1_of_u1_1 - l1_of_u1_1_right,
       l1_of_u1_1_left_rest = u1_1 - l1_of_u1_1_left,
@@ -221,46 +254,72 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       u2_left = u2 + u2_right, u2_left_rest = u2b - u2_left,
       u2_right_rest = ksl_product_rest(l1_of_u1_1, l1, u2c, u2_right),
       u2_lo1 = u2_left_rest - u2_right_rest, u2_lo2 = u2_lo1 - u2c_cross, u2_lo = u2_lo2 + u2b_lo;
-  const double divisor2 = 0.0 < u2 ? u2 : 1.0, divisor2_lo = 0.0 < u2 ? u2_lo : 0.0;
+  const double divisor2a_of_u2 = u2 + u2_lo, divisor2a_of_u2_right = divisor2a_of_u2 - u2,
+      divisor2a_of_u2_left = divisor2a_of_u2 - divisor2a_of_u2_right,
+      divisor2a_of_u2_left_rest = u2 - divisor2a_of_u2_left,
+      divisor2a_of_u2_right_rest = u2_lo - divisor2a_of_u2_right,
+      divisor2a_of_u2_lo = divisor2a_of_u2_left_rest + divisor2a_of_u2_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2 ? divisor2a_of_u2 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2 ? divisor2a_of_u2_lo : 0.0;
   const double part0a = A->m00 / divisor0, part0a_product = part0a * divisor0,
       part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
       part0a_rest = A->m00 - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00,
       part0_lo = 0.0 < A->m00 ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->m11 ? part1a : A->m11, part1_lo = 0.0 < A->m11 ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
-  const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
-      part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
-      part2a_of_u2_left_rest = u2 - part2a_of_u2_left,
-      part2a_of_u2_right_rest = u2_lo - part2a_of_u2_right,
-      part2a_of_u2_lo = part2a_of_u2_left_rest + part2a_of_u2_right_rest,
-      part2a = part2a_of_u2 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2 - part2a_product,
+      part2a_rest = divisor2a_of_u2 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->m22 ? part2a : A->m22, part2_lo = 0.0 < A->m22 ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double less_0 = A->m00 * 0.9999999999999944;
   const double less_1 = A->m11 * 0.9999999999999944;
   const double less_2 = A->m22 * 0.9999999999999944;
   const double less_0_lo = ksl_product_error(A->m00, 0.9999999999999944, less_0),
-      less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
-      less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
+      less_divisor0a_of_less_0 = less_0 + less_0_lo,
+      less_divisor0a_of_less_0_right = less_divisor0a_of_less_0 - less_0,
+      less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
+      less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
+      less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
       less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
@@ -275,7 +334,14 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l0_0_cross = less_l0_0 * less_l0_0_of_less_divisor0_lo,
       less_l0_0_residual = less_l0_0_exact - less_l0_0_cross,
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
-  const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0;
+  const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0,
+      less_l0_1_product = less_l0_1 * less_l0_0_of_less_divisor0,
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_rest = A->m20 - less_l0_1_product,
+      less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
+      less_l0_1_cross = less_l0_1 * less_l0_0_of_less_divisor0_lo,
+      less_l0_1_residual = less_l0_1_exact - less_l0_1_cross,
+      less_l0_1_lo = less_l0_1_residual / less_l0_0_of_less_divisor0;
   const double less_u1_0a = A->m10 * less_l0_0, less_u1_0a_cross2 = A->m10 * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
@@ -289,17 +355,62 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_u1_1_right_rest = ksl_product_rest(A->m20, less_l0_0, less_u1_1a, less_u1_1_right),
       less_u1_1_lo1 = less_u1_1_left_rest - less_u1_1_right_rest,
       less_u1_1_lo = less_u1_1_lo1 - less_u1_1a_cross2;
-  const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0,
-      less_divisor1_lo = 0.0 < less_u1_0 ? less_u1_0_lo : 0.0;
+  const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
+      less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
+      less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
+      less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
+      less_l1_of_less_u1_1_right = less_l1_of_less_u1_1 - less_u1_1,
+      less_l1_of_less_u1_1_left = less_l1_of_less_u1_1 - less_l1_of_less_u1_1_right,
+      less_l1_of_less_u1_1_left_rest = less_u1_1 - less_l1_of_less_u1_1_left,
+      less_l1_of_less_u1_1_right_rest = less_u1_1_lo - less_l1_of_less_u1_1_right,
+      less_l1_of_less_u1_1_lo = less_l1_of_less_u1_1_left_rest + less_l1_of_less_u1_1_right_rest,
       less_l1_of_less_divisor1 = less_divisor1 + less_divisor1_lo,
-      less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1;
-  const double less_u2a = A->m20 * less_l0_1, less_u2b = less_2 - less_u2a,
-      less_u2c = less_l1_of_less_u1_1 * less_l1, less_u2 = less_u2b - less_u2c;
-  const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
-      regular = 0.0 < less_0 ? regular_c : 0.0;
-  const double least = smallest2 < 0.0 ? smallest2 : 0.0,
-      least_lo = smallest2 < 0.0 ? smallest2_lo : 0.0;
+      less_l1_of_less_divisor1_right = less_l1_of_less_divisor1 - less_divisor1,
+      less_l1_of_less_divisor1_left = less_l1_of_less_divisor1 - less_l1_of_less_divisor1_right,
+      less_l1_of_less_divisor1_left_rest = less_divisor1 - less_l1_of_less_divisor1_left,
+      less_l1_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_of_less_divisor1_right,
+      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest + less_l1_of_less_divisor1_right_rest,
+      less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1,
+      less_l1_product = less_l1 * less_l1_of_less_divisor1,
+      less_l1_product_error = ksl_product_error(less_l1, less_l1_of_less_divisor1, less_l1_product),
+      less_l1_rest = less_l1_of_less_u1_1 - less_l1_product,
+      less_l1_exact = less_l1_rest - less_l1_product_error,
+      less_l1_numerator = less_l1_exact + less_l1_of_less_u1_1_lo,
+      less_l1_cross = less_l1 * less_l1_of_less_divisor1_lo,
+      less_l1_residual = less_l1_numerator - less_l1_cross,
+      less_l1_lo = less_l1_residual / less_l1_of_less_divisor1;
+  const double less_u2a = A->m20 * less_l0_1, less_u2a_cross2 = A->m20 * less_l0_1_lo,
+      less_u2b = less_2 - less_u2a, less_u2b_right = less_2 - less_u2b,
+      less_u2b_left = less_u2b + less_u2b_right,
+      less_u2b_left_rest = ksl_product_rest(A->m22, 0.9999999999999944, less_2, less_u2b_left),
+      less_u2b_right_rest = ksl_product_rest(A->m20, less_l0_1, less_u2a, less_u2b_right),
+      less_u2b_lo1 = less_u2b_left_rest - less_u2b_right_rest,
+      less_u2b_lo = less_u2b_lo1 - less_u2a_cross2, less_u2c = less_l1_of_less_u1_1 * less_l1,
+      less_u2c_cross1 = less_l1_of_less_u1_1_lo * less_l1,
+      less_u2c_cross2 = less_l1_of_less_u1_1 * less_l1_lo,
+      less_u2c_cross = less_u2c_cross1 + less_u2c_cross2, less_u2 = less_u2b - less_u2c,
+      less_u2_right = less_u2b - less_u2, less_u2_left = less_u2 + less_u2_right,
+      less_u2_left_rest = less_u2b - less_u2_left,
+      less_u2_right_rest = ksl_product_rest(less_l1_of_less_u1_1, less_l1, less_u2c, less_u2_right),
+      less_u2_lo1 = less_u2_left_rest - less_u2_right_rest,
+      less_u2_lo2 = less_u2_lo1 - less_u2c_cross, less_u2_lo = less_u2_lo2 + less_u2b_lo;
+  const double regular_a_of_less_u2 = less_u2 + less_u2_lo,
+      regular_b = 0.0 < regular_a_of_less_u2 ? 1.0 : 0.0,
+      regular_c = 0.0 < less_divisor1a_of_less_u1_0 ? regular_b : 0.0,
+      regular = 0.0 < less_divisor0a_of_less_0 ? regular_c : 0.0;
+  const double least_a_of_smallest2 = smallest2 + smallest2_lo,
+      least_a_of_smallest2_right = least_a_of_smallest2 - smallest2,
+      least_a_of_smallest2_left = least_a_of_smallest2 - least_a_of_smallest2_right,
+      least_a_of_smallest2_left_rest = smallest2 - least_a_of_smallest2_left,
+      least_a_of_smallest2_right_rest = smallest2_lo - least_a_of_smallest2_right,
+      least_a_of_smallest2_lo = least_a_of_smallest2_left_rest + least_a_of_smallest2_right_rest,
+      least = least_a_of_smallest2 < 0.0 ? least_a_of_smallest2 : 0.0,
+      least_lo = least_a_of_smallest2 < 0.0 ? least_a_of_smallest2_lo : 0.0;
   const double y1a = b->x * l0_0, y1a_cross2 = b->x * l0_0_lo, y1 = b->y - y1a,
       y1_right = b->y - y1, y1_left = y1 + y1_right, y1_left_rest = b->y - y1_left,
       y1_right_rest = ksl_product_rest(b->x, l0_0, y1a, y1_right),
@@ -534,8 +645,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       found_2_right_rest = refined_z2 - found_2_right,
       found_2_lo1 = found_2_left_rest + found_2_right_rest,
       found_2_lo2 = found_2_lo1 + refined_z2_lo, found_2_lo = found_2_lo2 + z2_lo;
-  const double pivot = regular == 1.0 ? smallest2 : least,
-      pivot_lo = regular == 1.0 ? smallest2_lo : least_lo;
+  const double pivot = regular == 1.0 ? least_a_of_smallest2 : least,
+      pivot_lo = regular == 1.0 ? least_a_of_smallest2_lo : least_lo;
   const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
       x_0_lo = regular == 1.0 ? found_0_lo : 0.0;
   const double x_1 = regular == 1.0 ? found_1 : (double)NAN,
@@ -559,7 +670,7 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
 /* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
      d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
    A, L: 6×6 operator.
-   121 mul, 452 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
+   121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
      underflow. */
 static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
@@ -609,7 +720,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u1_4_left_rest = A->at[1][5] - u1_4_left,
       u1_4_right_rest = ksl_product_rest(A->at[0][5], l0_0, u1_4a, u1_4_right),
       u1_4_lo1 = u1_4_left_rest - u1_4_right_rest, u1_4_lo = u1_4_lo1 - u1_4a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -704,7 +822,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u2_3_right_rest = ksl_product_rest(l1_3_of_u1_4, l1_0, u2_3c, u2_3_right),
       u2_3_lo1 = u2_3_left_rest - u2_3_right_rest, u2_3_lo2 = u2_3_lo1 - u2_3c_cross,
       u2_3_lo = u2_3_lo2 + u2_3b_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_0_of_u2_1 = u2_1 + u2_1_lo, l2_0_of_u2_1_right = l2_0_of_u2_1 - u2_1,
       l2_0_of_u2_1_left = l2_0_of_u2_1 - l2_0_of_u2_1_right,
       l2_0_of_u2_1_left_rest = u2_1 - l2_0_of_u2_1_left,
@@ -795,7 +920,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u3_2_right_rest = ksl_product_rest(l2_2_of_u2_3, l2_0, u3_2e, u3_2_right),
       u3_2_lo1 = u3_2_left_rest - u3_2_right_rest, u3_2_lo2 = u3_2_lo1 - u3_2e_cross,
       u3_2_lo = u3_2_lo2 + u3_2d_lo;
-  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0, divisor3_lo = 0.0 < u3_0 ? u3_0_lo : 0.0;
+  const double divisor3a_of_u3_0 = u3_0 + u3_0_lo,
+      divisor3a_of_u3_0_right = divisor3a_of_u3_0 - u3_0,
+      divisor3a_of_u3_0_left = divisor3a_of_u3_0 - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_left_rest = u3_0 - divisor3a_of_u3_0_left,
+      divisor3a_of_u3_0_right_rest = u3_0_lo - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_lo = divisor3a_of_u3_0_left_rest + divisor3a_of_u3_0_right_rest,
+      divisor3 = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0 : 1.0,
+      divisor3_lo = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0_lo : 0.0;
   const double l3_0_of_u3_1 = u3_1 + u3_1_lo, l3_0_of_u3_1_right = l3_0_of_u3_1 - u3_1,
       l3_0_of_u3_1_left = l3_0_of_u3_1 - l3_0_of_u3_1_right,
       l3_0_of_u3_1_left_rest = u3_1 - l3_0_of_u3_1_left,
@@ -870,7 +1002,14 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       u4_1_right_rest = ksl_product_rest(l3_1_of_u3_2, l3_0, u4_1g, u4_1_right),
       u4_1_lo1 = u4_1_left_rest - u4_1_right_rest, u4_1_lo2 = u4_1_lo1 - u4_1g_cross,
       u4_1_lo = u4_1_lo2 + u4_1f_lo;
-  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0, divisor4_lo = 0.0 < u4_0 ? u4_0_lo : 0.0;
+  const double divisor4a_of_u4_0 = u4_0 + u4_0_lo,
+      divisor4a_of_u4_0_right = divisor4a_of_u4_0 - u4_0,
+      divisor4a_of_u4_0_left = divisor4a_of_u4_0 - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_left_rest = u4_0 - divisor4a_of_u4_0_left,
+      divisor4a_of_u4_0_right_rest = u4_0_lo - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_lo = divisor4a_of_u4_0_left_rest + divisor4a_of_u4_0_right_rest,
+      divisor4 = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0 : 1.0,
+      divisor4_lo = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0_lo : 0.0;
   const double l4_of_u4_1 = u4_1 + u4_1_lo, l4_of_u4_1_right = l4_of_u4_1 - u4_1,
       l4_of_u4_1_left = l4_of_u4_1 - l4_of_u4_1_right,
       l4_of_u4_1_left_rest = u4_1 - l4_of_u4_1_left,
@@ -917,65 +1056,93 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0],
       part0_lo = 0.0 < A->at[0][0] ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1],
       part1_lo = 0.0 < A->at[1][1] ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a = part2a_of_u2_0 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2_0 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2],
       part2_lo = 0.0 < A->at[2][2] ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
-  const double part3a_of_u3_0 = u3_0 + u3_0_lo, part3a_of_u3_0_right = part3a_of_u3_0 - u3_0,
-      part3a_of_u3_0_left = part3a_of_u3_0 - part3a_of_u3_0_right,
-      part3a_of_u3_0_left_rest = u3_0 - part3a_of_u3_0_left,
-      part3a_of_u3_0_right_rest = u3_0_lo - part3a_of_u3_0_right,
-      part3a_of_u3_0_lo = part3a_of_u3_0_left_rest + part3a_of_u3_0_right_rest,
-      part3a = part3a_of_u3_0 / own3, part3a_product = part3a * own3,
+  const double part3a = divisor3a_of_u3_0 / own3, part3a_product = part3a * own3,
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
-      part3a_rest = part3a_of_u3_0 - part3a_product,
+      part3a_rest = divisor3a_of_u3_0 - part3a_product,
       part3a_exact = part3a_rest - part3a_product_error,
-      part3a_numerator = part3a_exact + part3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
+      part3a_numerator = part3a_exact + divisor3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
       part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3],
       part3_lo = 0.0 < A->at[3][3] ? part3a_lo : 0.0;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
-  const double part4a_of_u4_0 = u4_0 + u4_0_lo, part4a_of_u4_0_right = part4a_of_u4_0 - u4_0,
-      part4a_of_u4_0_left = part4a_of_u4_0 - part4a_of_u4_0_right,
-      part4a_of_u4_0_left_rest = u4_0 - part4a_of_u4_0_left,
-      part4a_of_u4_0_right_rest = u4_0_lo - part4a_of_u4_0_right,
-      part4a_of_u4_0_lo = part4a_of_u4_0_left_rest + part4a_of_u4_0_right_rest,
-      part4a = part4a_of_u4_0 / own4, part4a_product = part4a * own4,
+  const double part4a = divisor4a_of_u4_0 / own4, part4a_product = part4a * own4,
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
-      part4a_rest = part4a_of_u4_0 - part4a_product,
+      part4a_rest = divisor4a_of_u4_0 - part4a_product,
       part4a_exact = part4a_rest - part4a_product_error,
-      part4a_numerator = part4a_exact + part4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
+      part4a_numerator = part4a_exact + divisor4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
       part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4],
       part4_lo = 0.0 < A->at[4][4] ? part4a_lo : 0.0;
-  const double smallest4 = smallest3 < part4 ? smallest3 : part4,
-      smallest4_lo = smallest3 < part4 ? smallest3_lo : part4_lo;
+  const double smallest4a_of_smallest3 = smallest3 + smallest3_lo,
+      smallest4a_of_smallest3_right = smallest4a_of_smallest3 - smallest3,
+      smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
+      smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_part4 = part4 + part4_lo,
+      smallest4a_of_part4_right = smallest4a_of_part4 - part4,
+      smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
+      smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
+      smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
+      smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
       part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
@@ -989,8 +1156,20 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       part5a_numerator = part5a_exact + part5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
       part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5],
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
-  const double smallest5 = smallest4 < part5 ? smallest4 : part5,
-      smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
+  const double smallest5a_of_smallest4 = smallest4 + smallest4_lo,
+      smallest5a_of_smallest4_right = smallest5a_of_smallest4 - smallest4,
+      smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
+      smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_part5 = part5 + part5_lo,
+      smallest5a_of_part5_right = smallest5a_of_part5 - part5,
+      smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
+      smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
+      smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
+      smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
   const double smallest5_rounded = smallest5 + smallest5_lo,
       smallest5_final = smallest5_rounded == smallest5_rounded ? smallest5_rounded : smallest5;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -1268,7 +1447,7 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
      singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
      positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
-   497 mul, 1648 add, 44 product error, 165 product rest, 91 div, 23 less, 8 equal, 77 select.
+   516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
      barring over- and underflow. */
 static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
@@ -1319,7 +1498,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u1_4_left_rest = A->at[1][5] - u1_4_left,
       u1_4_right_rest = ksl_product_rest(A->at[0][5], l0_0, u1_4a, u1_4_right),
       u1_4_lo1 = u1_4_left_rest - u1_4_right_rest, u1_4_lo = u1_4_lo1 - u1_4a_cross2;
-  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0, divisor1_lo = 0.0 < u1_0 ? u1_0_lo : 0.0;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
   const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
       l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
       l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
@@ -1414,7 +1600,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u2_3_right_rest = ksl_product_rest(l1_3_of_u1_4, l1_0, u2_3c, u2_3_right),
       u2_3_lo1 = u2_3_left_rest - u2_3_right_rest, u2_3_lo2 = u2_3_lo1 - u2_3c_cross,
       u2_3_lo = u2_3_lo2 + u2_3b_lo;
-  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0, divisor2_lo = 0.0 < u2_0 ? u2_0_lo : 0.0;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
   const double l2_0_of_u2_1 = u2_1 + u2_1_lo, l2_0_of_u2_1_right = l2_0_of_u2_1 - u2_1,
       l2_0_of_u2_1_left = l2_0_of_u2_1 - l2_0_of_u2_1_right,
       l2_0_of_u2_1_left_rest = u2_1 - l2_0_of_u2_1_left,
@@ -1505,7 +1698,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u3_2_right_rest = ksl_product_rest(l2_2_of_u2_3, l2_0, u3_2e, u3_2_right),
       u3_2_lo1 = u3_2_left_rest - u3_2_right_rest, u3_2_lo2 = u3_2_lo1 - u3_2e_cross,
       u3_2_lo = u3_2_lo2 + u3_2d_lo;
-  const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0, divisor3_lo = 0.0 < u3_0 ? u3_0_lo : 0.0;
+  const double divisor3a_of_u3_0 = u3_0 + u3_0_lo,
+      divisor3a_of_u3_0_right = divisor3a_of_u3_0 - u3_0,
+      divisor3a_of_u3_0_left = divisor3a_of_u3_0 - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_left_rest = u3_0 - divisor3a_of_u3_0_left,
+      divisor3a_of_u3_0_right_rest = u3_0_lo - divisor3a_of_u3_0_right,
+      divisor3a_of_u3_0_lo = divisor3a_of_u3_0_left_rest + divisor3a_of_u3_0_right_rest,
+      divisor3 = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0 : 1.0,
+      divisor3_lo = 0.0 < divisor3a_of_u3_0 ? divisor3a_of_u3_0_lo : 0.0;
   const double l3_0_of_u3_1 = u3_1 + u3_1_lo, l3_0_of_u3_1_right = l3_0_of_u3_1 - u3_1,
       l3_0_of_u3_1_left = l3_0_of_u3_1 - l3_0_of_u3_1_right,
       l3_0_of_u3_1_left_rest = u3_1 - l3_0_of_u3_1_left,
@@ -1580,7 +1780,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u4_1_right_rest = ksl_product_rest(l3_1_of_u3_2, l3_0, u4_1g, u4_1_right),
       u4_1_lo1 = u4_1_left_rest - u4_1_right_rest, u4_1_lo2 = u4_1_lo1 - u4_1g_cross,
       u4_1_lo = u4_1_lo2 + u4_1f_lo;
-  const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0, divisor4_lo = 0.0 < u4_0 ? u4_0_lo : 0.0;
+  const double divisor4a_of_u4_0 = u4_0 + u4_0_lo,
+      divisor4a_of_u4_0_right = divisor4a_of_u4_0 - u4_0,
+      divisor4a_of_u4_0_left = divisor4a_of_u4_0 - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_left_rest = u4_0 - divisor4a_of_u4_0_left,
+      divisor4a_of_u4_0_right_rest = u4_0_lo - divisor4a_of_u4_0_right,
+      divisor4a_of_u4_0_lo = divisor4a_of_u4_0_left_rest + divisor4a_of_u4_0_right_rest,
+      divisor4 = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0 : 1.0,
+      divisor4_lo = 0.0 < divisor4a_of_u4_0 ? divisor4a_of_u4_0_lo : 0.0;
   const double l4_of_u4_1 = u4_1 + u4_1_lo, l4_of_u4_1_right = l4_of_u4_1 - u4_1,
       l4_of_u4_1_left = l4_of_u4_1 - l4_of_u4_1_right,
       l4_of_u4_1_left_rest = u4_1 - l4_of_u4_1_left,
@@ -1621,87 +1828,128 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       u5_right = u5h - u5, u5_left = u5 + u5_right, u5_left_rest = u5h - u5_left,
       u5_right_rest = ksl_product_rest(l4_of_u4_1, l4, u5i, u5_right),
       u5_lo1 = u5_left_rest - u5_right_rest, u5_lo2 = u5_lo1 - u5i_cross, u5_lo = u5_lo2 + u5h_lo;
-  const double divisor5 = 0.0 < u5 ? u5 : 1.0, divisor5_lo = 0.0 < u5 ? u5_lo : 0.0;
+  const double divisor5a_of_u5 = u5 + u5_lo, divisor5a_of_u5_right = divisor5a_of_u5 - u5,
+      divisor5a_of_u5_left = divisor5a_of_u5 - divisor5a_of_u5_right,
+      divisor5a_of_u5_left_rest = u5 - divisor5a_of_u5_left,
+      divisor5a_of_u5_right_rest = u5_lo - divisor5a_of_u5_right,
+      divisor5a_of_u5_lo = divisor5a_of_u5_left_rest + divisor5a_of_u5_right_rest,
+      divisor5 = 0.0 < divisor5a_of_u5 ? divisor5a_of_u5 : 1.0,
+      divisor5_lo = 0.0 < divisor5a_of_u5 ? divisor5a_of_u5_lo : 0.0;
   const double part0a = A->at[0][0] / divisor0, part0a_product = part0a * divisor0,
       part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
       part0a_rest = A->at[0][0] - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
       part0a_lo = part0a_exact / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0],
       part0_lo = 0.0 < A->at[0][0] ? part0a_lo : 0.0;
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
-  const double part1a_of_u1_0 = u1_0 + u1_0_lo, part1a_of_u1_0_right = part1a_of_u1_0 - u1_0,
-      part1a_of_u1_0_left = part1a_of_u1_0 - part1a_of_u1_0_right,
-      part1a_of_u1_0_left_rest = u1_0 - part1a_of_u1_0_left,
-      part1a_of_u1_0_right_rest = u1_0_lo - part1a_of_u1_0_right,
-      part1a_of_u1_0_lo = part1a_of_u1_0_left_rest + part1a_of_u1_0_right_rest,
-      part1a = part1a_of_u1_0 / own1, part1a_product = part1a * own1,
+  const double part1a = divisor1a_of_u1_0 / own1, part1a_product = part1a * own1,
       part1a_product_error = ksl_product_error(part1a, own1, part1a_product),
-      part1a_rest = part1a_of_u1_0 - part1a_product,
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
       part1a_exact = part1a_rest - part1a_product_error,
-      part1a_numerator = part1a_exact + part1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo, part1a_lo = part1a_numerator / own1,
       part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1],
       part1_lo = 0.0 < A->at[1][1] ? part1a_lo : 0.0;
-  const double smallest1 = part0 < part1 ? part0 : part1,
-      smallest1_lo = part0 < part1 ? part0_lo : part1_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
-  const double part2a_of_u2_0 = u2_0 + u2_0_lo, part2a_of_u2_0_right = part2a_of_u2_0 - u2_0,
-      part2a_of_u2_0_left = part2a_of_u2_0 - part2a_of_u2_0_right,
-      part2a_of_u2_0_left_rest = u2_0 - part2a_of_u2_0_left,
-      part2a_of_u2_0_right_rest = u2_0_lo - part2a_of_u2_0_right,
-      part2a_of_u2_0_lo = part2a_of_u2_0_left_rest + part2a_of_u2_0_right_rest,
-      part2a = part2a_of_u2_0 / own2, part2a_product = part2a * own2,
+  const double part2a = divisor2a_of_u2_0 / own2, part2a_product = part2a * own2,
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
-      part2a_rest = part2a_of_u2_0 - part2a_product,
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
       part2a_exact = part2a_rest - part2a_product_error,
-      part2a_numerator = part2a_exact + part2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo, part2a_lo = part2a_numerator / own2,
       part2 = 0.0 < A->at[2][2] ? part2a : A->at[2][2],
       part2_lo = 0.0 < A->at[2][2] ? part2a_lo : 0.0;
-  const double smallest2 = smallest1 < part2 ? smallest1 : part2,
-      smallest2_lo = smallest1 < part2 ? smallest1_lo : part2_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
-  const double part3a_of_u3_0 = u3_0 + u3_0_lo, part3a_of_u3_0_right = part3a_of_u3_0 - u3_0,
-      part3a_of_u3_0_left = part3a_of_u3_0 - part3a_of_u3_0_right,
-      part3a_of_u3_0_left_rest = u3_0 - part3a_of_u3_0_left,
-      part3a_of_u3_0_right_rest = u3_0_lo - part3a_of_u3_0_right,
-      part3a_of_u3_0_lo = part3a_of_u3_0_left_rest + part3a_of_u3_0_right_rest,
-      part3a = part3a_of_u3_0 / own3, part3a_product = part3a * own3,
+  const double part3a = divisor3a_of_u3_0 / own3, part3a_product = part3a * own3,
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
-      part3a_rest = part3a_of_u3_0 - part3a_product,
+      part3a_rest = divisor3a_of_u3_0 - part3a_product,
       part3a_exact = part3a_rest - part3a_product_error,
-      part3a_numerator = part3a_exact + part3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
+      part3a_numerator = part3a_exact + divisor3a_of_u3_0_lo, part3a_lo = part3a_numerator / own3,
       part3 = 0.0 < A->at[3][3] ? part3a : A->at[3][3],
       part3_lo = 0.0 < A->at[3][3] ? part3a_lo : 0.0;
-  const double smallest3 = smallest2 < part3 ? smallest2 : part3,
-      smallest3_lo = smallest2 < part3 ? smallest2_lo : part3_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
-  const double part4a_of_u4_0 = u4_0 + u4_0_lo, part4a_of_u4_0_right = part4a_of_u4_0 - u4_0,
-      part4a_of_u4_0_left = part4a_of_u4_0 - part4a_of_u4_0_right,
-      part4a_of_u4_0_left_rest = u4_0 - part4a_of_u4_0_left,
-      part4a_of_u4_0_right_rest = u4_0_lo - part4a_of_u4_0_right,
-      part4a_of_u4_0_lo = part4a_of_u4_0_left_rest + part4a_of_u4_0_right_rest,
-      part4a = part4a_of_u4_0 / own4, part4a_product = part4a * own4,
+  const double part4a = divisor4a_of_u4_0 / own4, part4a_product = part4a * own4,
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
-      part4a_rest = part4a_of_u4_0 - part4a_product,
+      part4a_rest = divisor4a_of_u4_0 - part4a_product,
       part4a_exact = part4a_rest - part4a_product_error,
-      part4a_numerator = part4a_exact + part4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
+      part4a_numerator = part4a_exact + divisor4a_of_u4_0_lo, part4a_lo = part4a_numerator / own4,
       part4 = 0.0 < A->at[4][4] ? part4a : A->at[4][4],
       part4_lo = 0.0 < A->at[4][4] ? part4a_lo : 0.0;
-  const double smallest4 = smallest3 < part4 ? smallest3 : part4,
-      smallest4_lo = smallest3 < part4 ? smallest3_lo : part4_lo;
+  const double smallest4a_of_smallest3 = smallest3 + smallest3_lo,
+      smallest4a_of_smallest3_right = smallest4a_of_smallest3 - smallest3,
+      smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
+      smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_part4 = part4 + part4_lo,
+      smallest4a_of_part4_right = smallest4a_of_part4 - part4,
+      smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
+      smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
+      smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
+      smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
-  const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
-      part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
-      part5a_of_u5_left_rest = u5 - part5a_of_u5_left,
-      part5a_of_u5_right_rest = u5_lo - part5a_of_u5_right,
-      part5a_of_u5_lo = part5a_of_u5_left_rest + part5a_of_u5_right_rest,
-      part5a = part5a_of_u5 / own5, part5a_product = part5a * own5,
+  const double part5a = divisor5a_of_u5 / own5, part5a_product = part5a * own5,
       part5a_product_error = ksl_product_error(part5a, own5, part5a_product),
-      part5a_rest = part5a_of_u5 - part5a_product,
+      part5a_rest = divisor5a_of_u5 - part5a_product,
       part5a_exact = part5a_rest - part5a_product_error,
-      part5a_numerator = part5a_exact + part5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
+      part5a_numerator = part5a_exact + divisor5a_of_u5_lo, part5a_lo = part5a_numerator / own5,
       part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5],
       part5_lo = 0.0 < A->at[5][5] ? part5a_lo : 0.0;
-  const double smallest5 = smallest4 < part5 ? smallest4 : part5,
-      smallest5_lo = smallest4 < part5 ? smallest4_lo : part5_lo;
+  const double smallest5a_of_smallest4 = smallest4 + smallest4_lo,
+      smallest5a_of_smallest4_right = smallest5a_of_smallest4 - smallest4,
+      smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
+      smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_part5 = part5 + part5_lo,
+      smallest5a_of_part5_right = smallest5a_of_part5 - part5,
+      smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
+      smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
+      smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
+      smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
   const double less_0 = A->at[0][0] * 0.9999999999999944;
   const double less_1 = A->at[1][1] * 0.9999999999999944;
   const double less_2 = A->at[2][2] * 0.9999999999999944;
@@ -1709,8 +1957,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_4 = A->at[4][4] * 0.9999999999999944;
   const double less_5 = A->at[5][5] * 0.9999999999999944;
   const double less_0_lo = ksl_product_error(A->at[0][0], 0.9999999999999944, less_0),
-      less_divisor0 = 0.0 < less_0 ? less_0 : 1.0,
-      less_divisor0_lo = 0.0 < less_0 ? less_0_lo : 0.0;
+      less_divisor0a_of_less_0 = less_0 + less_0_lo,
+      less_divisor0a_of_less_0_right = less_divisor0a_of_less_0 - less_0,
+      less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
+      less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
+      less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
       less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
@@ -1749,7 +2003,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_3_cross = less_l0_3 * less_l0_0_of_less_divisor0_lo,
       less_l0_3_residual = less_l0_3_exact - less_l0_3_cross,
       less_l0_3_lo = less_l0_3_residual / less_l0_0_of_less_divisor0;
-  const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0;
+  const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0,
+      less_l0_4_product = less_l0_4 * less_l0_0_of_less_divisor0,
+      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0, less_l0_4_product),
+      less_l0_4_rest = A->at[0][5] - less_l0_4_product,
+      less_l0_4_exact = less_l0_4_rest - less_l0_4_product_error,
+      less_l0_4_cross = less_l0_4 * less_l0_0_of_less_divisor0_lo,
+      less_l0_4_residual = less_l0_4_exact - less_l0_4_cross,
+      less_l0_4_lo = less_l0_4_residual / less_l0_0_of_less_divisor0;
   const double less_u1_0a = A->at[0][1] * less_l0_0, less_u1_0a_cross2 = A->at[0][1] * less_l0_0_lo,
       less_u1_0 = less_1 - less_u1_0a, less_u1_0_right = less_1 - less_u1_0,
       less_u1_0_left = less_u1_0 + less_u1_0_right,
@@ -1785,8 +2046,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u1_4_right_rest = ksl_product_rest(A->at[0][5], less_l0_0, less_u1_4a, less_u1_4_right),
       less_u1_4_lo1 = less_u1_4_left_rest - less_u1_4_right_rest,
       less_u1_4_lo = less_u1_4_lo1 - less_u1_4a_cross2;
-  const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0,
-      less_divisor1_lo = 0.0 < less_u1_0 ? less_u1_0_lo : 0.0;
+  const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
+      less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
+      less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
+      less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_0_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
       less_l1_0_of_less_u1_1_right = less_l1_0_of_less_u1_1 - less_u1_1,
       less_l1_0_of_less_u1_1_left = less_l1_0_of_less_u1_1 - less_l1_0_of_less_u1_1_right,
@@ -1844,7 +2111,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_3_of_less_u1_4_left_rest = less_u1_4 - less_l1_3_of_less_u1_4_left,
       less_l1_3_of_less_u1_4_right_rest = less_u1_4_lo - less_l1_3_of_less_u1_4_right,
       less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest + less_l1_3_of_less_u1_4_right_rest,
-      less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1;
+      less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1,
+      less_l1_3_product = less_l1_3 * less_l1_0_of_less_divisor1,
+      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1, less_l1_3_product),
+      less_l1_3_rest = less_l1_3_of_less_u1_4 - less_l1_3_product,
+      less_l1_3_exact = less_l1_3_rest - less_l1_3_product_error,
+      less_l1_3_numerator = less_l1_3_exact + less_l1_3_of_less_u1_4_lo,
+      less_l1_3_cross = less_l1_3 * less_l1_0_of_less_divisor1_lo,
+      less_l1_3_residual = less_l1_3_numerator - less_l1_3_cross,
+      less_l1_3_lo = less_l1_3_residual / less_l1_0_of_less_divisor1;
   const double less_u2_0a = A->at[0][2] * less_l0_1, less_u2_0a_cross2 = A->at[0][2] * less_l0_1_lo,
       less_u2_0b = less_2 - less_u2_0a, less_u2_0b_right = less_2 - less_u2_0b,
       less_u2_0b_left = less_u2_0b + less_u2_0b_right,
@@ -1913,8 +2188,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3_lo1 = less_u2_3_left_rest - less_u2_3_right_rest,
       less_u2_3_lo2 = less_u2_3_lo1 - less_u2_3c_cross,
       less_u2_3_lo = less_u2_3_lo2 + less_u2_3b_lo;
-  const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0,
-      less_divisor2_lo = 0.0 < less_u2_0 ? less_u2_0_lo : 0.0;
+  const double less_divisor2a_of_less_u2_0 = less_u2_0 + less_u2_0_lo,
+      less_divisor2a_of_less_u2_0_right = less_divisor2a_of_less_u2_0 - less_u2_0,
+      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_left_rest = less_u2_0 - less_divisor2a_of_less_u2_0_left,
+      less_divisor2a_of_less_u2_0_right_rest = less_u2_0_lo - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest + less_divisor2a_of_less_u2_0_right_rest,
+      less_divisor2 = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0 : 1.0,
+      less_divisor2_lo = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0_lo : 0.0;
   const double less_l2_0_of_less_u2_1 = less_u2_1 + less_u2_1_lo,
       less_l2_0_of_less_u2_1_right = less_l2_0_of_less_u2_1 - less_u2_1,
       less_l2_0_of_less_u2_1_left = less_l2_0_of_less_u2_1 - less_l2_0_of_less_u2_1_right,
@@ -1957,7 +2238,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_2_of_less_u2_3_left_rest = less_u2_3 - less_l2_2_of_less_u2_3_left,
       less_l2_2_of_less_u2_3_right_rest = less_u2_3_lo - less_l2_2_of_less_u2_3_right,
       less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest + less_l2_2_of_less_u2_3_right_rest,
-      less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2;
+      less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2,
+      less_l2_2_product = less_l2_2 * less_l2_0_of_less_divisor2,
+      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2, less_l2_2_product),
+      less_l2_2_rest = less_l2_2_of_less_u2_3 - less_l2_2_product,
+      less_l2_2_exact = less_l2_2_rest - less_l2_2_product_error,
+      less_l2_2_numerator = less_l2_2_exact + less_l2_2_of_less_u2_3_lo,
+      less_l2_2_cross = less_l2_2 * less_l2_0_of_less_divisor2_lo,
+      less_l2_2_residual = less_l2_2_numerator - less_l2_2_cross,
+      less_l2_2_lo = less_l2_2_residual / less_l2_0_of_less_divisor2;
   const double less_u3_0a = A->at[0][3] * less_l0_2, less_u3_0a_cross2 = A->at[0][3] * less_l0_2_lo,
       less_u3_0b = less_3 - less_u3_0a, less_u3_0b_right = less_3 - less_u3_0b,
       less_u3_0b_left = less_u3_0b + less_u3_0b_right,
@@ -2042,8 +2331,14 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2_lo1 = less_u3_2_left_rest - less_u3_2_right_rest,
       less_u3_2_lo2 = less_u3_2_lo1 - less_u3_2e_cross,
       less_u3_2_lo = less_u3_2_lo2 + less_u3_2d_lo;
-  const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0,
-      less_divisor3_lo = 0.0 < less_u3_0 ? less_u3_0_lo : 0.0;
+  const double less_divisor3a_of_less_u3_0 = less_u3_0 + less_u3_0_lo,
+      less_divisor3a_of_less_u3_0_right = less_divisor3a_of_less_u3_0 - less_u3_0,
+      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_left_rest = less_u3_0 - less_divisor3a_of_less_u3_0_left,
+      less_divisor3a_of_less_u3_0_right_rest = less_u3_0_lo - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest + less_divisor3a_of_less_u3_0_right_rest,
+      less_divisor3 = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0 : 1.0,
+      less_divisor3_lo = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0_lo : 0.0;
   const double less_l3_0_of_less_u3_1 = less_u3_1 + less_u3_1_lo,
       less_l3_0_of_less_u3_1_right = less_l3_0_of_less_u3_1 - less_u3_1,
       less_l3_0_of_less_u3_1_left = less_l3_0_of_less_u3_1 - less_l3_0_of_less_u3_1_right,
@@ -2071,7 +2366,15 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_1_of_less_u3_2_left_rest = less_u3_2 - less_l3_1_of_less_u3_2_left,
       less_l3_1_of_less_u3_2_right_rest = less_u3_2_lo - less_l3_1_of_less_u3_2_right,
       less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest + less_l3_1_of_less_u3_2_right_rest,
-      less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3;
+      less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3,
+      less_l3_1_product = less_l3_1 * less_l3_0_of_less_divisor3,
+      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3, less_l3_1_product),
+      less_l3_1_rest = less_l3_1_of_less_u3_2 - less_l3_1_product,
+      less_l3_1_exact = less_l3_1_rest - less_l3_1_product_error,
+      less_l3_1_numerator = less_l3_1_exact + less_l3_1_of_less_u3_2_lo,
+      less_l3_1_cross = less_l3_1 * less_l3_0_of_less_divisor3_lo,
+      less_l3_1_residual = less_l3_1_numerator - less_l3_1_cross,
+      less_l3_1_lo = less_l3_1_residual / less_l3_0_of_less_divisor3;
   const double less_u4_0a = A->at[0][4] * less_l0_3, less_u4_0a_cross2 = A->at[0][4] * less_l0_3_lo,
       less_u4_0b = less_4 - less_u4_0a, less_u4_0b_right = less_4 - less_u4_0b,
       less_u4_0b_left = less_u4_0b + less_u4_0b_right,
@@ -2150,21 +2453,92 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1_lo1 = less_u4_1_left_rest - less_u4_1_right_rest,
       less_u4_1_lo2 = less_u4_1_lo1 - less_u4_1g_cross,
       less_u4_1_lo = less_u4_1_lo2 + less_u4_1f_lo;
-  const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0,
-      less_divisor4_lo = 0.0 < less_u4_0 ? less_u4_0_lo : 0.0;
+  const double less_divisor4a_of_less_u4_0 = less_u4_0 + less_u4_0_lo,
+      less_divisor4a_of_less_u4_0_right = less_divisor4a_of_less_u4_0 - less_u4_0,
+      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_left_rest = less_u4_0 - less_divisor4a_of_less_u4_0_left,
+      less_divisor4a_of_less_u4_0_right_rest = less_u4_0_lo - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest + less_divisor4a_of_less_u4_0_right_rest,
+      less_divisor4 = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0 : 1.0,
+      less_divisor4_lo = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0_lo : 0.0;
   const double less_l4_of_less_u4_1 = less_u4_1 + less_u4_1_lo,
+      less_l4_of_less_u4_1_right = less_l4_of_less_u4_1 - less_u4_1,
+      less_l4_of_less_u4_1_left = less_l4_of_less_u4_1 - less_l4_of_less_u4_1_right,
+      less_l4_of_less_u4_1_left_rest = less_u4_1 - less_l4_of_less_u4_1_left,
+      less_l4_of_less_u4_1_right_rest = less_u4_1_lo - less_l4_of_less_u4_1_right,
+      less_l4_of_less_u4_1_lo = less_l4_of_less_u4_1_left_rest + less_l4_of_less_u4_1_right_rest,
       less_l4_of_less_divisor4 = less_divisor4 + less_divisor4_lo,
-      less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4;
-  const double less_u5a = A->at[0][5] * less_l0_4, less_u5b = less_5 - less_u5a,
-      less_u5c = less_l1_3_of_less_u1_4 * less_l1_3, less_u5d = less_u5b - less_u5c,
-      less_u5e = less_l2_2_of_less_u2_3 * less_l2_2, less_u5f = less_u5d - less_u5e,
-      less_u5g = less_l3_1_of_less_u3_2 * less_l3_1, less_u5h = less_u5f - less_u5g,
-      less_u5i = less_l4_of_less_u4_1 * less_l4, less_u5 = less_u5h - less_u5i;
-  const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
-      regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
-      regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
-  const double least = smallest5 < 0.0 ? smallest5 : 0.0,
-      least_lo = smallest5 < 0.0 ? smallest5_lo : 0.0;
+      less_l4_of_less_divisor4_right = less_l4_of_less_divisor4 - less_divisor4,
+      less_l4_of_less_divisor4_left = less_l4_of_less_divisor4 - less_l4_of_less_divisor4_right,
+      less_l4_of_less_divisor4_left_rest = less_divisor4 - less_l4_of_less_divisor4_left,
+      less_l4_of_less_divisor4_right_rest = less_divisor4_lo - less_l4_of_less_divisor4_right,
+      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest + less_l4_of_less_divisor4_right_rest,
+      less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4,
+      less_l4_product = less_l4 * less_l4_of_less_divisor4,
+      less_l4_product_error = ksl_product_error(less_l4, less_l4_of_less_divisor4, less_l4_product),
+      less_l4_rest = less_l4_of_less_u4_1 - less_l4_product,
+      less_l4_exact = less_l4_rest - less_l4_product_error,
+      less_l4_numerator = less_l4_exact + less_l4_of_less_u4_1_lo,
+      less_l4_cross = less_l4 * less_l4_of_less_divisor4_lo,
+      less_l4_residual = less_l4_numerator - less_l4_cross,
+      less_l4_lo = less_l4_residual / less_l4_of_less_divisor4;
+  const double less_u5a = A->at[0][5] * less_l0_4, less_u5a_cross2 = A->at[0][5] * less_l0_4_lo,
+      less_u5b = less_5 - less_u5a, less_u5b_right = less_5 - less_u5b,
+      less_u5b_left = less_u5b + less_u5b_right,
+      less_u5b_left_rest = ksl_product_rest(A->at[5][5], 0.9999999999999944, less_5, less_u5b_left),
+      less_u5b_right_rest = ksl_product_rest(A->at[0][5], less_l0_4, less_u5a, less_u5b_right),
+      less_u5b_lo1 = less_u5b_left_rest - less_u5b_right_rest,
+      less_u5b_lo = less_u5b_lo1 - less_u5a_cross2, less_u5c = less_l1_3_of_less_u1_4 * less_l1_3,
+      less_u5c_cross1 = less_l1_3_of_less_u1_4_lo * less_l1_3,
+      less_u5c_cross2 = less_l1_3_of_less_u1_4 * less_l1_3_lo,
+      less_u5c_cross = less_u5c_cross1 + less_u5c_cross2, less_u5d = less_u5b - less_u5c,
+      less_u5d_right = less_u5b - less_u5d, less_u5d_left = less_u5d + less_u5d_right,
+      less_u5d_left_rest = less_u5b - less_u5d_left,
+      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c, less_u5d_right),
+      less_u5d_lo1 = less_u5d_left_rest - less_u5d_right_rest,
+      less_u5d_lo2 = less_u5d_lo1 - less_u5c_cross, less_u5d_lo = less_u5d_lo2 + less_u5b_lo,
+      less_u5e = less_l2_2_of_less_u2_3 * less_l2_2,
+      less_u5e_cross1 = less_l2_2_of_less_u2_3_lo * less_l2_2,
+      less_u5e_cross2 = less_l2_2_of_less_u2_3 * less_l2_2_lo,
+      less_u5e_cross = less_u5e_cross1 + less_u5e_cross2, less_u5f = less_u5d - less_u5e,
+      less_u5f_right = less_u5d - less_u5f, less_u5f_left = less_u5f + less_u5f_right,
+      less_u5f_left_rest = less_u5d - less_u5f_left,
+      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e, less_u5f_right),
+      less_u5f_lo1 = less_u5f_left_rest - less_u5f_right_rest,
+      less_u5f_lo2 = less_u5f_lo1 - less_u5e_cross, less_u5f_lo = less_u5f_lo2 + less_u5d_lo,
+      less_u5g = less_l3_1_of_less_u3_2 * less_l3_1,
+      less_u5g_cross1 = less_l3_1_of_less_u3_2_lo * less_l3_1,
+      less_u5g_cross2 = less_l3_1_of_less_u3_2 * less_l3_1_lo,
+      less_u5g_cross = less_u5g_cross1 + less_u5g_cross2, less_u5h = less_u5f - less_u5g,
+      less_u5h_right = less_u5f - less_u5h, less_u5h_left = less_u5h + less_u5h_right,
+      less_u5h_left_rest = less_u5f - less_u5h_left,
+      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g, less_u5h_right),
+      less_u5h_lo1 = less_u5h_left_rest - less_u5h_right_rest,
+      less_u5h_lo2 = less_u5h_lo1 - less_u5g_cross, less_u5h_lo = less_u5h_lo2 + less_u5f_lo,
+      less_u5i = less_l4_of_less_u4_1 * less_l4,
+      less_u5i_cross1 = less_l4_of_less_u4_1_lo * less_l4,
+      less_u5i_cross2 = less_l4_of_less_u4_1 * less_l4_lo,
+      less_u5i_cross = less_u5i_cross1 + less_u5i_cross2, less_u5 = less_u5h - less_u5i,
+      less_u5_right = less_u5h - less_u5, less_u5_left = less_u5 + less_u5_right,
+      less_u5_left_rest = less_u5h - less_u5_left,
+      less_u5_right_rest = ksl_product_rest(less_l4_of_less_u4_1, less_l4, less_u5i, less_u5_right),
+      less_u5_lo1 = less_u5_left_rest - less_u5_right_rest,
+      less_u5_lo2 = less_u5_lo1 - less_u5i_cross, less_u5_lo = less_u5_lo2 + less_u5h_lo;
+  const double regular_a_of_less_u5 = less_u5 + less_u5_lo,
+      regular_b = 0.0 < regular_a_of_less_u5 ? 1.0 : 0.0,
+      regular_c = 0.0 < less_divisor4a_of_less_u4_0 ? regular_b : 0.0,
+      regular_d = 0.0 < less_divisor3a_of_less_u3_0 ? regular_c : 0.0,
+      regular_e = 0.0 < less_divisor2a_of_less_u2_0 ? regular_d : 0.0,
+      regular_f = 0.0 < less_divisor1a_of_less_u1_0 ? regular_e : 0.0,
+      regular = 0.0 < less_divisor0a_of_less_0 ? regular_f : 0.0;
+  const double least_a_of_smallest5 = smallest5 + smallest5_lo,
+      least_a_of_smallest5_right = least_a_of_smallest5 - smallest5,
+      least_a_of_smallest5_left = least_a_of_smallest5 - least_a_of_smallest5_right,
+      least_a_of_smallest5_left_rest = smallest5 - least_a_of_smallest5_left,
+      least_a_of_smallest5_right_rest = smallest5_lo - least_a_of_smallest5_right,
+      least_a_of_smallest5_lo = least_a_of_smallest5_left_rest + least_a_of_smallest5_right_rest,
+      least = least_a_of_smallest5 < 0.0 ? least_a_of_smallest5 : 0.0,
+      least_lo = least_a_of_smallest5 < 0.0 ? least_a_of_smallest5_lo : 0.0;
   const double y1a = b->m0 * l0_0, y1a_cross2 = b->m0 * l0_0_lo, y1 = b->m1 - y1a,
       y1_right = b->m1 - y1, y1_left = y1 + y1_right, y1_left_rest = b->m1 - y1_left,
       y1_right_rest = ksl_product_rest(b->m0, l0_0, y1a, y1_right),
@@ -3032,8 +3406,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       found_5_right_rest = refined_z5 - found_5_right,
       found_5_lo1 = found_5_left_rest + found_5_right_rest,
       found_5_lo2 = found_5_lo1 + refined_z5_lo, found_5_lo = found_5_lo2 + z5_lo;
-  const double pivot = regular == 1.0 ? smallest5 : least,
-      pivot_lo = regular == 1.0 ? smallest5_lo : least_lo;
+  const double pivot = regular == 1.0 ? least_a_of_smallest5 : least,
+      pivot_lo = regular == 1.0 ? least_a_of_smallest5_lo : least_lo;
   const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
       x_0_lo = regular == 1.0 ? found_0_lo : 0.0;
   const double x_1 = regular == 1.0 ? found_1 : (double)NAN,

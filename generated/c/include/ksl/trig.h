@@ -27,4 +27,39 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
   dc[1] = dc_1;
 }
 
+/* What KSL declares beside formulas. */
+
+
+/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline double ksl_normalizeDegrees(double angle) {
+  const double turn = 360.0, rest = fmod(angle, turn), above = rest + turn;
+  const double zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline double ksl_normalizeRadians(double angle) {
+  const double turn = 6.283185307179586, rest = fmod(angle, turn), above = rest + turn;
+  const double zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline float ksl_normalizeDegreesf(float angle) {
+  const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
+  const float zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
+/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
+   negative ones. */
+static inline float ksl_normalizeRadiansf(float angle) {
+  const float turn = 6.2831855f, rest = fmodf(angle, turn), above = rest + turn;
+  const float zero = 0;
+  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+}
+
 #endif

@@ -5,6 +5,7 @@
 #ifndef KSL_VEC3_H
 #define KSL_VEC3_H
 
+#include <stdbool.h>
 #include "ksl_types.h"
 
 /* The vec3 of these entries, in order. */
@@ -181,7 +182,7 @@ static inline void ksl_vec3_swap(ksl_vec3_t *v1, ksl_vec3_t *v2) {
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -189,21 +190,23 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
   const double s_size_1 = fabs(self->y);
@@ -211,7 +214,8 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -236,7 +240,7 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
   const double s_size_1 = fabs(v->y);
@@ -244,7 +248,8 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -269,7 +274,7 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -277,7 +282,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
+      s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
   const double scaled_s1_0 = v1->x * s1;
   const double scaled_s1_1 = v1->y * s1;
   const double scaled_s1_2 = v1->z * s1;
@@ -287,7 +293,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
+      s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
   const double scaled_s2_0 = v2->x * s2;
   const double scaled_s2_1 = v2->y * s2;
   const double scaled_s2_2 = v2->z * s2;
@@ -303,14 +310,16 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = c_0 * s;
   const double y_1 = c_1 * s;
   const double y_2 = c_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double cross = n * r;
   const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
@@ -634,7 +643,7 @@ static inline void ksl_vec3f_swap(ksl_vec3f_t *v1, ksl_vec3f_t *v2) {
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -642,20 +651,22 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = n * r;
   return norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_size_0 = fabsf(self->x);
   const float s_size_1 = fabsf(self->y);
@@ -663,7 +674,8 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = self->x * s;
   const float y_1 = self->y * s;
   const float y_2 = self->z * s;
@@ -688,7 +700,7 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_size_0 = fabsf(v->x);
   const float s_size_1 = fabsf(v->y);
@@ -696,7 +708,8 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = v->x * s;
   const float y_1 = v->y * s;
   const float y_2 = v->z * s;
@@ -721,7 +734,7 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const float s1_size_0 = fabsf(v1->x);
   const float s1_size_1 = fabsf(v1->y);
@@ -729,7 +742,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
-      s1 = s1_largest2 < 8.881784e-16f ? 1.2676506e+30f : s1b;
+      s1d = s1_largest2 < 256.0f ? 1.8014399e+16f : s1b,
+      s1 = s1_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s1d;
   const float scaled_s1_0 = v1->x * s1;
   const float scaled_s1_1 = v1->y * s1;
   const float scaled_s1_2 = v1->z * s1;
@@ -739,7 +753,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
-      s2 = s2_largest2 < 8.881784e-16f ? 1.2676506e+30f : s2b;
+      s2d = s2_largest2 < 256.0f ? 1.8014399e+16f : s2b,
+      s2 = s2_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s2d;
   const float scaled_s2_0 = v2->x * s2;
   const float scaled_s2_1 = v2->y * s2;
   const float scaled_s2_2 = v2->z * s2;
@@ -752,13 +767,15 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
-      s = s_largest2 < 8.881784e-16f ? 1.2676506e+30f : s_b;
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
   const float y_0 = c_0 * s;
   const float y_1 = c_1 * s;
   const float y_2 = c_2 * s;
   const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrtf(n_e);
-  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r = 1.0f < s ? 7.888609e-31f : r_b;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float cross = n * r;
   const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
@@ -921,6 +938,34 @@ static inline ksl_vec3_t *ksl_vec3_alloc(int n) {
      no memory. */
 static inline ksl_vec3f_t *ksl_vec3f_alloc(int n) {
   return n > 0 ? (ksl_vec3f_t *)calloc((size_t)n, sizeof(ksl_vec3f_t)) : NULL;
+}
+
+#endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The vec3 of these entries, in order. */
+static inline ksl_vec3i_t ksl_vec3i(const int x, const int y, const int z) {
+  ksl_vec3i_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  return value;
+}
+
+/* Whether all components are equal. */
+static inline bool ksl_vec3i_isEqual(const ksl_vec3i_t *v1, const ksl_vec3i_t *v2) {
+  return v1->x == v2->x && v1->y == v2->y && v1->z == v2->z;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec3i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec3i_t *ksl_vec3i_alloc(int n) {
+  return n > 0 ? (ksl_vec3i_t *)calloc((size_t)n, sizeof(ksl_vec3i_t)) : NULL;
 }
 
 #endif

@@ -185,7 +185,7 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
 
 /* |v| = sqrt(v·v).
    v: vector.
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
      select. */
 static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -194,7 +194,8 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -212,7 +213,8 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
@@ -227,7 +229,7 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
      select. */
 static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -236,7 +238,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = self->x * s;
   const double y_1 = self->y * s;
   const double y_2 = self->z * s;
@@ -255,7 +258,13 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = self->x * up;
   const double enlarged_1 = self->y * up;
   const double enlarged_2 = self->z * up;
@@ -338,7 +347,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
      select. */
 static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -347,7 +356,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = v->x * s;
   const double y_1 = v->y * s;
   const double y_2 = v->z * s;
@@ -366,7 +376,13 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
-  const double divisor = n == 0.0 ? up : n, divisor_lo = n == 0.0 ? 0.0 : n_lo;
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
   const double enlarged_0 = v->x * up;
   const double enlarged_1 = v->y * up;
   const double enlarged_2 = v->z * up;
@@ -440,8 +456,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
-     equal, 23 select. */
+   42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
+     less, 7 equal, 32 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -449,7 +465,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s1 = s1_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
+      s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
   const double scaled_s1_0 = v1->x * s1;
   const double scaled_s1_1 = v1->y * s1;
   const double scaled_s1_2 = v1->z * s1;
@@ -459,7 +476,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s2 = s2_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
+      s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
   const double scaled_s2_0 = v2->x * s2;
   const double scaled_s2_1 = v2->y * s2;
   const double scaled_s2_2 = v2->z * s2;
@@ -478,34 +496,68 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       c_2_left_rest = ksl_product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double s_size_0 = fabs(c_0);
-  const double s_size_1 = fabs(c_1);
-  const double s_size_2 = fabs(c_2);
-  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
-  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
-  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      s = s_largest2 < 3.4395525670743494e-136 ? 4.149515568880993e+180 : s_b;
-  const double y_0_of_c_0 = c_0 + c_0_lo, y_0_of_c_0_right = y_0_of_c_0 - c_0,
-      y_0_of_c_0_left = y_0_of_c_0 - y_0_of_c_0_right, y_0_of_c_0_left_rest = c_0 - y_0_of_c_0_left,
-      y_0_of_c_0_right_rest = c_0_lo - y_0_of_c_0_right,
-      y_0_of_c_0_lo = y_0_of_c_0_left_rest + y_0_of_c_0_right_rest, y_0 = y_0_of_c_0 * s,
-      y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse, y_0_lost = y_0_of_c_0 - y_0_back,
-      y_0_rest = y_0_lost + y_0_of_c_0_lo, y_0_small = y_0_rest * s,
-      y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
-  const double y_1_of_c_1 = c_1 + c_1_lo, y_1_of_c_1_right = y_1_of_c_1 - c_1,
-      y_1_of_c_1_left = y_1_of_c_1 - y_1_of_c_1_right, y_1_of_c_1_left_rest = c_1 - y_1_of_c_1_left,
-      y_1_of_c_1_right_rest = c_1_lo - y_1_of_c_1_right,
-      y_1_of_c_1_lo = y_1_of_c_1_left_rest + y_1_of_c_1_right_rest, y_1 = y_1_of_c_1 * s,
-      y_1_back = y_1 * y_0_inverse, y_1_lost = y_1_of_c_1 - y_1_back,
-      y_1_rest = y_1_lost + y_1_of_c_1_lo, y_1_small = y_1_rest * s,
-      y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
-  const double y_2_of_c_2 = c_2 + c_2_lo, y_2_of_c_2_right = y_2_of_c_2 - c_2,
-      y_2_of_c_2_left = y_2_of_c_2 - y_2_of_c_2_right, y_2_of_c_2_left_rest = c_2 - y_2_of_c_2_left,
-      y_2_of_c_2_right_rest = c_2_lo - y_2_of_c_2_right,
-      y_2_of_c_2_lo = y_2_of_c_2_left_rest + y_2_of_c_2_right_rest, y_2 = y_2_of_c_2 * s,
-      y_2_back = y_2 * y_0_inverse, y_2_lost = y_2_of_c_2 - y_2_back,
-      y_2_rest = y_2_lost + y_2_of_c_2_lo, y_2_small = y_2_rest * s,
-      y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
+  const double s_size_0_of_c_0 = c_0 + c_0_lo, s_size_0_of_c_0_right = s_size_0_of_c_0 - c_0,
+      s_size_0_of_c_0_left = s_size_0_of_c_0 - s_size_0_of_c_0_right,
+      s_size_0_of_c_0_left_rest = c_0 - s_size_0_of_c_0_left,
+      s_size_0_of_c_0_right_rest = c_0_lo - s_size_0_of_c_0_right,
+      s_size_0_of_c_0_lo = s_size_0_of_c_0_left_rest + s_size_0_of_c_0_right_rest,
+      s_size_0 = fabs(s_size_0_of_c_0), s_size_0_opposite = -s_size_0_of_c_0_lo,
+      s_size_0_lo = s_size_0_of_c_0 < 0.0 ? s_size_0_opposite : s_size_0_of_c_0_lo;
+  const double s_size_1_of_c_1 = c_1 + c_1_lo, s_size_1_of_c_1_right = s_size_1_of_c_1 - c_1,
+      s_size_1_of_c_1_left = s_size_1_of_c_1 - s_size_1_of_c_1_right,
+      s_size_1_of_c_1_left_rest = c_1 - s_size_1_of_c_1_left,
+      s_size_1_of_c_1_right_rest = c_1_lo - s_size_1_of_c_1_right,
+      s_size_1_of_c_1_lo = s_size_1_of_c_1_left_rest + s_size_1_of_c_1_right_rest,
+      s_size_1 = fabs(s_size_1_of_c_1), s_size_1_opposite = -s_size_1_of_c_1_lo,
+      s_size_1_lo = s_size_1_of_c_1 < 0.0 ? s_size_1_opposite : s_size_1_of_c_1_lo;
+  const double s_size_2_of_c_2 = c_2 + c_2_lo, s_size_2_of_c_2_right = s_size_2_of_c_2 - c_2,
+      s_size_2_of_c_2_left = s_size_2_of_c_2 - s_size_2_of_c_2_right,
+      s_size_2_of_c_2_left_rest = c_2 - s_size_2_of_c_2_left,
+      s_size_2_of_c_2_right_rest = c_2_lo - s_size_2_of_c_2_right,
+      s_size_2_of_c_2_lo = s_size_2_of_c_2_left_rest + s_size_2_of_c_2_right_rest,
+      s_size_2 = fabs(s_size_2_of_c_2), s_size_2_opposite = -s_size_2_of_c_2_lo,
+      s_size_2_lo = s_size_2_of_c_2 < 0.0 ? s_size_2_opposite : s_size_2_of_c_2_lo;
+  const double s_largest1a_of_s_size_0 = s_size_0 + s_size_0_lo,
+      s_largest1a_of_s_size_0_right = s_largest1a_of_s_size_0 - s_size_0,
+      s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right,
+      s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left,
+      s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right,
+      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest,
+      s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo,
+      s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1,
+      s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right,
+      s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left,
+      s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right,
+      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest,
+      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 : s_largest1a_of_s_size_0,
+      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo : s_largest1a_of_s_size_0_lo;
+  const double s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo,
+      s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1,
+      s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right,
+      s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left,
+      s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right,
+      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest,
+      s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo,
+      s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2,
+      s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right,
+      s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left,
+      s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right,
+      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest,
+      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 : s_largest2a_of_s_largest1,
+      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
+  const double s_a_of_s_largest2 = s_largest2 + s_largest2_lo,
+      s_b = 6.703903964971299e+153 < s_a_of_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_a_of_s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_a_of_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = s_size_0_of_c_0 * s, y_0_inverse = 1.0 / s, y_0_back = y_0 * y_0_inverse,
+      y_0_lost = s_size_0_of_c_0 - y_0_back, y_0_rest = y_0_lost + s_size_0_of_c_0_lo,
+      y_0_small = y_0_rest * s, y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
+  const double y_1 = s_size_1_of_c_1 * s, y_1_back = y_1 * y_0_inverse,
+      y_1_lost = s_size_1_of_c_1 - y_1_back, y_1_rest = y_1_lost + s_size_1_of_c_1_lo,
+      y_1_small = y_1_rest * s, y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
+  const double y_2 = s_size_2_of_c_2 * s, y_2_back = y_2 * y_0_inverse,
+      y_2_lost = s_size_2_of_c_2 - y_2_back, y_2_rest = y_2_lost + s_size_2_of_c_2_lo,
+      y_2_small = y_2_rest * s, y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
   const double n_a = y_0 * y_0, n_a_cross1 = y_0_lo * y_0, n_a_cross2 = y_0 * y_0_lo,
       n_a_cross = n_a_cross1 + n_a_cross2, n_b = y_1 * y_1, n_b_cross1 = y_1_lo * y_1,
       n_b_cross2 = y_1 * y_1_lo, n_b_cross = n_b_cross1 + n_b_cross2, n_c = n_a + n_b,
@@ -526,7 +578,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
       n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      r = 1.0 < s ? 2.409919865102884e-181 : r_b;
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double cross_of_n = n + n_lo, cross_of_n_right = cross_of_n - n,
       cross_of_n_left = cross_of_n - cross_of_n_right, cross_of_n_left_rest = n - cross_of_n_left,
       cross_of_n_right_rest = n_lo - cross_of_n_right,
@@ -904,7 +957,7 @@ static inline void ksl_vec3f_scaled_accurate(const ksl_vec3f_t *v, const float k
 
 /* |v| = sqrt(v·v).
    v: vector.
-   7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select. */
+   7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select. */
 static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -912,21 +965,23 @@ static inline float ksl_vec3f_l2norm_accurate(const ksl_vec3f_t *v) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double norm = n * r;
   return (float)norm;
 }
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double s_size_0 = fabs((double)self->x);
   const double s_size_1 = fabs((double)self->y);
@@ -934,7 +989,8 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)self->x * s;
   const double y_1 = (double)self->y * s;
   const double y_2 = (double)self->z * s;
@@ -959,7 +1015,7 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select. */
+   12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select. */
 static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const double s_size_0 = fabs((double)v->x);
   const double s_size_1 = fabs((double)v->y);
@@ -967,7 +1023,8 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = (double)v->x * s;
   const double y_1 = (double)v->y * s;
   const double y_2 = (double)v->z * s;
@@ -992,7 +1049,7 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select. */
+   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
 static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const double s1_size_0 = fabs((double)v1->x);
   const double s1_size_1 = fabs((double)v1->y);
@@ -1000,7 +1057,8 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
   const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
   const double s1b = 4.611686018427388e+18 < s1_largest2 ? 2.710505431213761e-20 : 1.0,
-      s1 = s1_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s1b;
+      s1d = s1_largest2 < 256.0 ? 1.8014398509481984e+16 : s1b,
+      s1 = s1_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s1d;
   const double scaled_s1_0 = (double)v1->x * s1;
   const double scaled_s1_1 = (double)v1->y * s1;
   const double scaled_s1_2 = (double)v1->z * s1;
@@ -1010,7 +1068,8 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
   const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
   const double s2b = 4.611686018427388e+18 < s2_largest2 ? 2.710505431213761e-20 : 1.0,
-      s2 = s2_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s2b;
+      s2d = s2_largest2 < 256.0 ? 1.8014398509481984e+16 : s2b,
+      s2 = s2_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s2d;
   const double scaled_s2_0 = (double)v2->x * s2;
   const double scaled_s2_1 = (double)v2->y * s2;
   const double scaled_s2_2 = (double)v2->z * s2;
@@ -1026,14 +1085,16 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
-      s = s_largest2 < 8.881784197001252e-16 ? 1.2676506002282294e+30 : s_b;
+      s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
+      s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
   const double y_0 = c_0 * s;
   const double y_1 = c_1 * s;
   const double y_2 = c_2 * s;
   const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
       n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      r = 1.0 < s ? 7.888609052210118e-31 : r_b;
+      r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
+      r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
   const double cross = n * r;
   const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
       dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;

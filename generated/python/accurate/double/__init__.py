@@ -31,8 +31,23 @@ from coscrew.accurate.double.vec3 import (
     add_vvz,
     add_vvzinv,
 )
+from coscrew.accurate.double.vec4 import (
+    vec4_scale,
+    vec4_scaled,
+    vec4_l2norm,
+    vec4_normalize,
+    vec4_normalized,
+)
 from coscrew.accurate.double.mat3x3 import (
     mat3x3_determinant,
+    mat3x3_inverse,
+    mat3x3_normalize,
+    mat3x3_normalized,
+    mat3x3_setFromAxisDC,
+    euler_xyz_from_mat3x3,
+    euler_xyx_from_mat3x3,
+    mat3x3_jacobi,
+    axis_angle_from_mat3x3,
 )
 from coscrew.accurate.double.SE3 import (
     SE3_invert,
@@ -114,6 +129,8 @@ from coscrew.accurate.double.screw import (
     cross_sst,
     hsra,
     hsta,
+    hsrainv,
+    hstainv,
 )
 from coscrew.accurate.double.coscrew import (
     coscrew_scale,
@@ -176,7 +193,6 @@ from coscrew.accurate.double.quaternion import (
 )
 from coscrew.accurate.double.exponential import (
     SO3_log,
-    axis_angle_from_mat3x3,
     mat3x3_orthonormalize,
     mat3x3_orthonormalized,
 )

@@ -16,201 +16,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 189 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 10 equal, 51 select.  Error <= vo: 5 u of its largest component; searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    p_0 = R_21 - R_12
-    p_0_right = R_21 - p_0
-    p_0_lo = R_21 - (p_0 + p_0_right) - (R_12 - p_0_right)
-    p_1 = R_02 - R_20
-    p_1_right = R_02 - p_1
-    p_1_lo = R_02 - (p_1 + p_1_right) - (R_20 - p_1_right)
-    p_2 = R_10 - R_01
-    p_2_right = R_10 - p_2
-    p_2_lo = R_10 - (p_2 + p_2_right) - (R_01 - p_2_right)
-    s_0 = R_12 + R_21
-    s_0_right = s_0 - R_12
-    s_0_lo = R_12 - (s_0 - s_0_right) + (R_21 - s_0_right)
-    s_1 = R_02 + R_20
-    s_1_right = s_1 - R_02
-    s_1_lo = R_02 - (s_1 - s_1_right) + (R_20 - s_1_right)
-    s_2 = R_01 + R_10
-    s_2_right = s_2 - R_01
-    s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
-    first_0 = R_00 + 1
-    first_0_right = first_0 - R_00
-    first_0_lo = R_00 - (first_0 - first_0_right) + (1 - first_0_right)
-    first_1 = 1 - R_00
-    first_1_right = 1 - first_1
-    first_1_lo = 1 - (first_1 + first_1_right) - (R_00 - first_1_right)
-    others_0 = R_11 + R_22
-    others_0_right = others_0 - R_11
-    others_0_lo = R_11 - (others_0 - others_0_right) + (R_22 - others_0_right)
-    others_1 = R_11 - R_22
-    others_1_right = R_11 - others_1
-    others_1_lo = R_11 - (others_1 + others_1_right) - (R_22 - others_1_right)
-    d_0 = first_0 + others_0
-    d_0_right = d_0 - first_0
-    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
-    d_1 = first_0 - others_0
-    d_1_right = first_0 - d_1
-    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
-    d_2 = first_1 + others_1
-    d_2_right = d_2 - first_1
-    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
-    d_3 = first_1 - others_1
-    d_3_right = first_1 - d_3
-    d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_0_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_1_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_2_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    high_3_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_0_lo = where(R_22 < 0, low_0_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_of_upper_0 = upper_0 + upper_0_lo
-    v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0
-    v_y_0_of_upper_0_left_rest = upper_0 - (v_y_0_of_upper_0 - v_y_0_of_upper_0_right)
-    v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + (upper_0_lo - v_y_0_of_upper_0_right)
-    v_y_0 = v_y_0_of_upper_0 * v_s
-    v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_of_upper_0 - v_y_0 * v_y_0_inverse
-    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_y_0_of_upper_0_lo) * v_s)
-    v_y_1_of_upper_1 = upper_1 + upper_1_lo
-    v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1
-    v_y_1_of_upper_1_left_rest = upper_1 - (v_y_1_of_upper_1 - v_y_1_of_upper_1_right)
-    v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + (upper_1_lo - v_y_1_of_upper_1_right)
-    v_y_1 = v_y_1_of_upper_1 * v_s
-    v_y_1_lost = v_y_1_of_upper_1 - v_y_1 * v_y_0_inverse
-    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_y_1_of_upper_1_lo) * v_s)
-    v_y_2_of_upper_2 = upper_2 + upper_2_lo
-    v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2
-    v_y_2_of_upper_2_left_rest = upper_2 - (v_y_2_of_upper_2 - v_y_2_of_upper_2_right)
-    v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + (upper_2_lo - v_y_2_of_upper_2_right)
-    v_y_2 = v_y_2_of_upper_2 * v_s
-    v_y_2_lost = v_y_2_of_upper_2 - v_y_2 * v_y_0_inverse
-    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_y_2_of_upper_2_lo) * v_s)
-    v_n_a = v_y_0 * v_y_0
-    v_n_b = v_y_1 * v_y_1
-    v_n_c = v_n_a + v_n_b
-    v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
-    v_n_c_lo1 = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
-    v_n_c_lo = v_n_c_lo1 + v_n_c_cross
-    v_n_d = v_y_2 * v_y_2
-    v_n_e = v_n_c + v_n_d
-    v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo2 = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo)
-    v_n_e_lo = v_n_e_lo2 + v_n_c_lo
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n = sqrt(v_n_of_v_n_e)
-    v_n_product = v_n * v_n
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
-    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n = n_of_v_n * v_r
-    n_lost = n_of_v_n - n * (1 / v_r)
-    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
-    n_lo = where(n_lost == 0, 0, n_small)
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half_of_upper_3 = upper_3 + upper_3_lo
-    half_of_upper_3_right = half_of_upper_3 - upper_3
-    half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half_of_upper_3_lo = half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right)
-    half = arctan2(half_of_n, half_of_upper_3)
-    half_size0 = absolute(half_of_n)
-    half_size1 = absolute(half_of_upper_3)
-    half_most = where(half_size0 < half_size1, half_size1, half_size0)
-    half_divisor = where(half_most == 0, 1, half_most)
-    half_part0 = half_of_n / half_divisor
-    half_part1 = half_of_upper_3 / half_divisor
-    half_cross2 = half_part0 * half_of_upper_3_lo
-    half_cross = half_part1 * half_of_n_lo - half_cross2
-    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_safe = where(half_most == 0, 1, half_divisor2)
-    half_lo = half_cross / half_safe
-    divisor = where(half_of_n == 0, 1, half_of_n)
-    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
-    theta = 2 * half
-    theta_cross2 = 2 * half_lo
-    k_of_theta = theta + theta_cross2
-    k_of_theta_right = k_of_theta - theta
-    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
-    k_of_divisor = divisor + divisor_lo
-    k_of_divisor_right = k_of_divisor - divisor
-    k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
-    k_of_divisor_lo = k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right)
-    k = k_of_theta / k_of_divisor
-    k_product = k * k_of_divisor
-    k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
-    k_numerator = k_exact + k_of_theta_lo
-    k_cross = k * k_of_divisor_lo
-    k_residual = k_numerator - k_cross
-    k_lo = k_residual / k_of_divisor
-    vector_0 = v_y_0_of_upper_0 * k
-    vector_0_cross = v_y_0_of_upper_0_lo * k + v_y_0_of_upper_0 * k_lo
-    vector_1 = v_y_1_of_upper_1 * k
-    vector_1_cross = v_y_1_of_upper_1_lo * k + v_y_1_of_upper_1 * k_lo
-    vector_2 = v_y_2_of_upper_2 * k
-    vector_2_cross = v_y_2_of_upper_2_lo * k + v_y_2_of_upper_2 * k_lo
-    vector_0_lo = product_error(v_y_0_of_upper_0, k, vector_0) + vector_0_cross
-    vector_0_rounded = vector_0 + vector_0_lo
-    vector_1_lo = product_error(v_y_1_of_upper_1, k, vector_1) + vector_1_cross
-    vector_1_rounded = vector_1 + vector_1_lo
-    vector_2_lo = product_error(v_y_2_of_upper_2, k, vector_2) + vector_2_cross
-    vector_2_rounded = vector_2 + vector_2_lo
-    return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
-        where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),
-        where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2))
-
-
-@kernel("(3,3)->(),(3)")
-def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
-
-    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 204 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 9 neg, 5 abs, 11
-    less, 11 equal, 54 select.  Error <= angle: 8 u, axis: 5 u of its largest component;
+    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 10 equal, 58 select.  Error <= vo: 5 u of its largest component for R a rotation;
     searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -276,49 +83,88 @@ def axis_angle_from_mat3x3(R):
     column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
-    v_y_0_of_upper_0 = upper_0 + upper_0_lo
-    v_y_0_of_upper_0_right = v_y_0_of_upper_0 - upper_0
-    v_y_0_of_upper_0_left_rest = upper_0 - (v_y_0_of_upper_0 - v_y_0_of_upper_0_right)
-    v_y_0_of_upper_0_lo = v_y_0_of_upper_0_left_rest + (upper_0_lo - v_y_0_of_upper_0_right)
-    v_y_0 = v_y_0_of_upper_0 * v_s
+    upper_0b_of_column_3 = column_3 + column_3_lo
+    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
+    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
+    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
+    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
+    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
+    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
+    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
+    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
+    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
+    v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo
+    v_s_size_0_lo = where(v_s_size_0_of_upper_0 < 0, v_s_size_0_opposite, v_s_size_0_of_upper_0_lo)
+    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
+    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
+    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
+    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
+    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
+    v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo
+    v_s_size_1_lo = where(v_s_size_1_of_upper_1 < 0, v_s_size_1_opposite, v_s_size_1_of_upper_1_lo)
+    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
+    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
+    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
+    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
+    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
+    v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo
+    v_s_size_2_lo = where(v_s_size_2_of_upper_2 < 0, v_s_size_2_opposite, v_s_size_2_of_upper_2_lo)
+    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
+    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
+    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
+    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
+    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
+    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
+    v_s_largest1 = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
+    v_s_largest1_lo = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
+    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
+    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
+    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
+    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
+    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
+    v_s_largest2 = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2_lo = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
+    v_s_b = where(6.703903964971299e+153 < v_s_a_of_v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_y_0 = v_s_size_0_of_upper_0 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_y_0_of_upper_0 - v_y_0 * v_y_0_inverse
-    v_y_0_rest = v_y_0_lost + v_y_0_of_upper_0_lo
-    v_y_0_small = v_y_0_rest * v_s
-    v_y_0_lo = where(v_y_0_lost == 0, 0, v_y_0_small)
-    v_y_1_of_upper_1 = upper_1 + upper_1_lo
-    v_y_1_of_upper_1_right = v_y_1_of_upper_1 - upper_1
-    v_y_1_of_upper_1_left_rest = upper_1 - (v_y_1_of_upper_1 - v_y_1_of_upper_1_right)
-    v_y_1_of_upper_1_lo = v_y_1_of_upper_1_left_rest + (upper_1_lo - v_y_1_of_upper_1_right)
-    v_y_1 = v_y_1_of_upper_1 * v_s
-    v_y_1_lost = v_y_1_of_upper_1 - v_y_1 * v_y_0_inverse
-    v_y_1_rest = v_y_1_lost + v_y_1_of_upper_1_lo
-    v_y_1_small = v_y_1_rest * v_s
-    v_y_1_lo = where(v_y_1_lost == 0, 0, v_y_1_small)
-    v_y_2_of_upper_2 = upper_2 + upper_2_lo
-    v_y_2_of_upper_2_right = v_y_2_of_upper_2 - upper_2
-    v_y_2_of_upper_2_left_rest = upper_2 - (v_y_2_of_upper_2 - v_y_2_of_upper_2_right)
-    v_y_2_of_upper_2_lo = v_y_2_of_upper_2_left_rest + (upper_2_lo - v_y_2_of_upper_2_right)
-    v_y_2 = v_y_2_of_upper_2 * v_s
-    v_y_2_lost = v_y_2_of_upper_2 - v_y_2 * v_y_0_inverse
-    v_y_2_rest = v_y_2_lost + v_y_2_of_upper_2_lo
-    v_y_2_small = v_y_2_rest * v_s
-    v_y_2_lo = where(v_y_2_lost == 0, 0, v_y_2_small)
+    v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_s_size_0_of_upper_0_lo) * v_s)
+    v_y_1 = v_s_size_1_of_upper_1 * v_s
+    v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_s_size_1_of_upper_1_lo) * v_s)
+    v_y_2 = v_s_size_2_of_upper_2 * v_s
+    v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_s_size_2_of_upper_2_lo) * v_s)
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -342,15 +188,17 @@ def axis_angle_from_mat3x3(R):
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
-    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
     n = n_of_v_n * v_r
     n_lost = n_of_v_n - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
+    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
+    n_lo = where(n_lost == 0, 0, n_small)
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
+    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
     half_of_upper_3 = upper_3 + upper_3_lo
     half_of_upper_3_right = half_of_upper_3 - upper_3
     half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
@@ -362,63 +210,44 @@ def axis_angle_from_mat3x3(R):
     half_divisor = where(half_most == 0, 1, half_most)
     half_part0 = half_of_n / half_divisor
     half_part1 = half_of_upper_3 / half_divisor
-    half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
     half_cross2 = half_part0 * half_of_upper_3_lo
-    half_cross = half_cross1 - half_cross2
+    half_cross = half_part1 * half_of_n_lo - half_cross2
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
     half_safe = where(half_most == 0, 1, half_divisor2)
     half_lo = half_cross / half_safe
-    divisor = where(n_of_v_n == 0, 1, n_of_v_n)
-    divisor_lo = where(n_of_v_n == 0, 0, n_of_v_n_lo)
-    unit_0_of_v_y_0 = v_y_0 + v_y_0_lo
-    unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0
-    unit_0_of_v_y_0_left_rest = v_y_0 - (unit_0_of_v_y_0 - unit_0_of_v_y_0_right)
-    unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + (v_y_0_lo - unit_0_of_v_y_0_right)
-    unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_right = unit_0_of_divisor - divisor
-    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
-    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor
-    unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_exact = unit_0_of_v_y_0 - unit_0_product - unit_0_product_error
-    unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo
-    unit_0_residual = unit_0_numerator - unit_0 * unit_0_of_divisor_lo
-    unit_0_lo = unit_0_residual / unit_0_of_divisor
-    unit_1_of_v_y_1 = v_y_1 + v_y_1_lo
-    unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1
-    unit_1_of_v_y_1_left_rest = v_y_1 - (unit_1_of_v_y_1 - unit_1_of_v_y_1_right)
-    unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + (v_y_1_lo - unit_1_of_v_y_1_right)
-    unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor
-    unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_exact = unit_1_of_v_y_1 - unit_1_product - unit_1_product_error
-    unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo
-    unit_1_residual = unit_1_numerator - unit_1 * unit_0_of_divisor_lo
-    unit_1_lo = unit_1_residual / unit_0_of_divisor
-    unit_2_of_v_y_2 = v_y_2 + v_y_2_lo
-    unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2
-    unit_2_of_v_y_2_left_rest = v_y_2 - (unit_2_of_v_y_2 - unit_2_of_v_y_2_right)
-    unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + (v_y_2_lo - unit_2_of_v_y_2_right)
-    unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor
-    unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_exact = unit_2_of_v_y_2 - unit_2_product - unit_2_product_error
-    unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo
-    unit_2_residual = unit_2_numerator - unit_2 * unit_0_of_divisor_lo
-    unit_2_lo = unit_2_residual / unit_0_of_divisor
-    angle = 2 * half
-    angle_cross2 = 2 * half_lo
-    axis_0 = where(n_of_v_n == 0, 1, unit_0)
-    axis_0_lo = where(n_of_v_n == 0, 0, unit_0_lo)
-    angle_rounded = angle + angle_cross2
-    axis_0_rounded = axis_0 + axis_0_lo
-    unit_1_rounded = unit_1 + unit_1_lo
-    unit_2_rounded = unit_2 + unit_2_lo
-    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
-        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
-        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
-        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
+    divisor = where(half_of_n == 0, 1, half_of_n)
+    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    theta = 2 * half
+    theta_cross2 = 2 * half_lo
+    k_of_theta = theta + theta_cross2
+    k_of_theta_right = k_of_theta - theta
+    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
+    k_of_divisor = divisor + divisor_lo
+    k_of_divisor_right = k_of_divisor - divisor
+    k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
+    k_of_divisor_lo = k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right)
+    k = k_of_theta / k_of_divisor
+    k_product = k * k_of_divisor
+    k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
+    k_numerator = k_exact + k_of_theta_lo
+    k_cross = k * k_of_divisor_lo
+    k_residual = k_numerator - k_cross
+    k_lo = k_residual / k_of_divisor
+    vector_0 = v_s_size_0_of_upper_0 * k
+    vector_0_cross = v_s_size_0_of_upper_0_lo * k + v_s_size_0_of_upper_0 * k_lo
+    vector_1 = v_s_size_1_of_upper_1 * k
+    vector_1_cross = v_s_size_1_of_upper_1_lo * k + v_s_size_1_of_upper_1 * k_lo
+    vector_2 = v_s_size_2_of_upper_2 * k
+    vector_2_cross = v_s_size_2_of_upper_2_lo * k + v_s_size_2_of_upper_2 * k_lo
+    vector_0_lo = product_error(v_s_size_0_of_upper_0, k, vector_0) + vector_0_cross
+    vector_0_rounded = vector_0 + vector_0_lo
+    vector_1_lo = product_error(v_s_size_1_of_upper_1, k, vector_1) + vector_1_cross
+    vector_1_rounded = vector_1 + vector_1_lo
+    vector_2_lo = product_error(v_s_size_2_of_upper_2, k, vector_2) + vector_2_cross
+    vector_2_rounded = vector_2 + vector_2_lo
+    return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
+        where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),
+        where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2))
 
 
 @kernel("(3,3)->(3,3)")

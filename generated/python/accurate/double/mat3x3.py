@@ -6,7 +6,8 @@
 In double precision, accurate tier.
 """
 
-from coscrew._exact import product_rest
+from numpy import absolute, arctan2, float64, nan, sqrt, where
+from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -56,3 +57,2100 @@ def mat3x3_determinant(R):
     det_lo = det_lo2 + det_c_lo
     det_rounded = det + det_lo
     return det_rounded
+
+
+@kernel("(3,3)->(),(3,3)")
+def mat3x3_inverse(R):
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
+    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
+    the sums of the sizes of the terms of the cofactor and of det R; barring over- and
+    underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n0_0a = R_11 * R_22
+    n0_0b = R_12 * R_21
+    n0_0 = n0_0a - n0_0b
+    n0_0_right = n0_0a - n0_0
+    n0_0_left_rest = product_rest(R_11, R_22, n0_0a, n0_0 + n0_0_right)
+    n0_0_lo = n0_0_left_rest - product_rest(R_12, R_21, n0_0b, n0_0_right)
+    n0_1a = R_02 * R_21
+    n0_1b = R_01 * R_22
+    n0_1 = n0_1a - n0_1b
+    n0_1_right = n0_1a - n0_1
+    n0_1_left_rest = product_rest(R_02, R_21, n0_1a, n0_1 + n0_1_right)
+    n0_1_lo = n0_1_left_rest - product_rest(R_01, R_22, n0_1b, n0_1_right)
+    n0_2a = R_01 * R_12
+    n0_2b = R_02 * R_11
+    n0_2 = n0_2a - n0_2b
+    n0_2_right = n0_2a - n0_2
+    n0_2_left_rest = product_rest(R_01, R_12, n0_2a, n0_2 + n0_2_right)
+    n0_2_lo = n0_2_left_rest - product_rest(R_02, R_11, n0_2b, n0_2_right)
+    n1_0a = R_12 * R_20
+    n1_0b = R_10 * R_22
+    n1_0 = n1_0a - n1_0b
+    n1_0_right = n1_0a - n1_0
+    n1_0_left_rest = product_rest(R_12, R_20, n1_0a, n1_0 + n1_0_right)
+    n1_0_lo = n1_0_left_rest - product_rest(R_10, R_22, n1_0b, n1_0_right)
+    n1_1a = R_00 * R_22
+    n1_1b = R_02 * R_20
+    n1_1 = n1_1a - n1_1b
+    n1_1_right = n1_1a - n1_1
+    n1_1_left_rest = product_rest(R_00, R_22, n1_1a, n1_1 + n1_1_right)
+    n1_1_lo = n1_1_left_rest - product_rest(R_02, R_20, n1_1b, n1_1_right)
+    n1_2a = R_02 * R_10
+    n1_2b = R_00 * R_12
+    n1_2 = n1_2a - n1_2b
+    n1_2_right = n1_2a - n1_2
+    n1_2_left_rest = product_rest(R_02, R_10, n1_2a, n1_2 + n1_2_right)
+    n1_2_lo = n1_2_left_rest - product_rest(R_00, R_12, n1_2b, n1_2_right)
+    n2_0a = R_10 * R_21
+    n2_0b = R_11 * R_20
+    n2_0 = n2_0a - n2_0b
+    n2_0_right = n2_0a - n2_0
+    n2_0_left_rest = product_rest(R_10, R_21, n2_0a, n2_0 + n2_0_right)
+    n2_0_lo = n2_0_left_rest - product_rest(R_11, R_20, n2_0b, n2_0_right)
+    n2_1a = R_01 * R_20
+    n2_1b = R_00 * R_21
+    n2_1 = n2_1a - n2_1b
+    n2_1_right = n2_1a - n2_1
+    n2_1_left_rest = product_rest(R_01, R_20, n2_1a, n2_1 + n2_1_right)
+    n2_1_lo = n2_1_left_rest - product_rest(R_00, R_21, n2_1b, n2_1_right)
+    n2_2a = R_00 * R_11
+    n2_2b = R_01 * R_10
+    n2_2 = n2_2a - n2_2b
+    n2_2_right = n2_2a - n2_2
+    n2_2_left_rest = product_rest(R_00, R_11, n2_2a, n2_2 + n2_2_right)
+    n2_2_lo = n2_2_left_rest - product_rest(R_01, R_10, n2_2b, n2_2_right)
+    d_a = R_00 * n0_0
+    d_b = R_10 * n0_1
+    d_c = d_a + d_b
+    d_c_right = d_c - d_a
+    d_c_left_rest = product_rest(R_00, n0_0, d_a, d_c - d_c_right)
+    d_c_lo1 = d_c_left_rest + product_rest(R_10, n0_1, d_b, d_c_right)
+    d_c_lo = d_c_lo1 + (R_00 * n0_0_lo + R_10 * n0_1_lo)
+    d_d = R_20 * n0_2
+    d = d_c + d_d
+    d_right = d - d_c
+    d_lo2 = d_c - (d - d_right) + product_rest(R_20, n0_2, d_d, d_right) + R_20 * n0_2_lo
+    d_lo = d_lo2 + d_c_lo
+    size0_0 = absolute(R_00)
+    size0_1 = absolute(R_10)
+    size0_2 = absolute(R_20)
+    size1_0 = absolute(R_01)
+    size1_1 = absolute(R_11)
+    size1_2 = absolute(R_21)
+    size2_0 = absolute(R_02)
+    size2_1 = absolute(R_12)
+    size2_2 = absolute(R_22)
+    permanent_a = size1_1 * size2_2
+    permanent_b = size1_2 * size2_1
+    permanent_c = permanent_a + permanent_b
+    permanent_c_right = permanent_c - permanent_a
+    permanent_c_left = permanent_c - permanent_c_right
+    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a, permanent_c_left)
+    permanent_c_right_rest = product_rest(size1_2, size2_1, permanent_b, permanent_c_right)
+    permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest
+    permanent_d = size0_0 * permanent_c
+    permanent_d_cross2 = size0_0 * permanent_c_lo
+    permanent_e = size1_0 * size2_2
+    permanent_f = size1_2 * size2_0
+    permanent_g = permanent_e + permanent_f
+    permanent_g_right = permanent_g - permanent_e
+    permanent_g_left = permanent_g - permanent_g_right
+    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e, permanent_g_left)
+    permanent_g_right_rest = product_rest(size1_2, size2_0, permanent_f, permanent_g_right)
+    permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest
+    permanent_h = size0_1 * permanent_g
+    permanent_h_cross2 = size0_1 * permanent_g_lo
+    permanent_i = permanent_d + permanent_h
+    permanent_i_right = permanent_i - permanent_d
+    permanent_i_left = permanent_i - permanent_i_right
+    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d, permanent_i_left)
+    permanent_i_right_rest = product_rest(size0_1, permanent_g, permanent_h, permanent_i_right)
+    permanent_i_cross = permanent_d_cross2 + permanent_h_cross2
+    permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest
+    permanent_i_lo = permanent_i_lo1 + permanent_i_cross
+    permanent_j = size1_0 * size2_1
+    permanent_k = size1_1 * size2_0
+    permanent_l = permanent_j + permanent_k
+    permanent_l_right = permanent_l - permanent_j
+    permanent_l_left = permanent_l - permanent_l_right
+    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j, permanent_l_left)
+    permanent_l_right_rest = product_rest(size1_1, size2_0, permanent_k, permanent_l_right)
+    permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest
+    permanent_m = size0_2 * permanent_l
+    permanent_m_cross2 = size0_2 * permanent_l_lo
+    permanent = permanent_i + permanent_m
+    permanent_right = permanent - permanent_i
+    permanent_right_rest = product_rest(size0_2, permanent_l, permanent_m, permanent_right)
+    permanent_lo1 = permanent_i - (permanent - permanent_right) + permanent_right_rest
+    permanent_lo2 = permanent_lo1 + permanent_m_cross2
+    permanent_lo = permanent_lo2 + permanent_i_lo
+    least_a = permanent * 8.881784197001252e-16
+    least_a_cross1 = permanent_lo * 8.881784197001252e-16
+    least = least_a + 1.0261342003245941e-289
+    least_right = least - least_a
+    least_left_rest = product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
+    least_lo1 = least_left_rest + (1.0261342003245941e-289 - least_right)
+    least_lo = least_lo1 + least_a_cross1
+    regular_a_of_d = d + d_lo
+    regular_a_of_d_right = regular_a_of_d - d
+    regular_a_of_d_lo = d - (regular_a_of_d - regular_a_of_d_right) + (d_lo - regular_a_of_d_right)
+    regular_a_lo = where(regular_a_of_d < 0, -regular_a_of_d_lo, regular_a_of_d_lo)
+    regular_b_of_least = least + least_lo
+    regular_b_of_regular_a = absolute(regular_a_of_d) + regular_a_lo
+    regular = where(regular_b_of_least < regular_b_of_regular_a, float64(1), float64(0))
+    divisor = where(regular == 1, regular_a_of_d, 1)
+    divisor_lo = where(regular == 1, regular_a_of_d_lo, 0)
+    det = where(regular == 1, regular_a_of_d, 0)
+    Ro_00a_of_n0_0 = n0_0 + n0_0_lo
+    Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0
+    Ro_00a_of_n0_0_left_rest = n0_0 - (Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right)
+    Ro_00a_of_n0_0_lo = Ro_00a_of_n0_0_left_rest + (n0_0_lo - Ro_00a_of_n0_0_right)
+    Ro_00a_of_divisor = divisor + divisor_lo
+    Ro_00a_of_divisor_right = Ro_00a_of_divisor - divisor
+    Ro_00a_of_divisor_left_rest = divisor - (Ro_00a_of_divisor - Ro_00a_of_divisor_right)
+    Ro_00a_of_divisor_lo = Ro_00a_of_divisor_left_rest + (divisor_lo - Ro_00a_of_divisor_right)
+    Ro_00a = Ro_00a_of_n0_0 / Ro_00a_of_divisor
+    Ro_00a_product = Ro_00a * Ro_00a_of_divisor
+    Ro_00a_product_error = product_error(Ro_00a, Ro_00a_of_divisor, Ro_00a_product)
+    Ro_00a_exact = Ro_00a_of_n0_0 - Ro_00a_product - Ro_00a_product_error
+    Ro_00a_numerator = Ro_00a_exact + Ro_00a_of_n0_0_lo
+    Ro_00a_residual = Ro_00a_numerator - Ro_00a * Ro_00a_of_divisor_lo
+    Ro_00a_lo = Ro_00a_residual / Ro_00a_of_divisor
+    Ro_00 = where(regular == 1, Ro_00a, nan)
+    Ro_00_lo = where(regular == 1, Ro_00a_lo, 0)
+    Ro_01a_of_n0_1 = n0_1 + n0_1_lo
+    Ro_01a_of_n0_1_right = Ro_01a_of_n0_1 - n0_1
+    Ro_01a_of_n0_1_left_rest = n0_1 - (Ro_01a_of_n0_1 - Ro_01a_of_n0_1_right)
+    Ro_01a_of_n0_1_lo = Ro_01a_of_n0_1_left_rest + (n0_1_lo - Ro_01a_of_n0_1_right)
+    Ro_01a = Ro_01a_of_n0_1 / Ro_00a_of_divisor
+    Ro_01a_product = Ro_01a * Ro_00a_of_divisor
+    Ro_01a_product_error = product_error(Ro_01a, Ro_00a_of_divisor, Ro_01a_product)
+    Ro_01a_exact = Ro_01a_of_n0_1 - Ro_01a_product - Ro_01a_product_error
+    Ro_01a_numerator = Ro_01a_exact + Ro_01a_of_n0_1_lo
+    Ro_01a_residual = Ro_01a_numerator - Ro_01a * Ro_00a_of_divisor_lo
+    Ro_01a_lo = Ro_01a_residual / Ro_00a_of_divisor
+    Ro_01 = where(regular == 1, Ro_01a, nan)
+    Ro_01_lo = where(regular == 1, Ro_01a_lo, 0)
+    Ro_02a_of_n0_2 = n0_2 + n0_2_lo
+    Ro_02a_of_n0_2_right = Ro_02a_of_n0_2 - n0_2
+    Ro_02a_of_n0_2_left_rest = n0_2 - (Ro_02a_of_n0_2 - Ro_02a_of_n0_2_right)
+    Ro_02a_of_n0_2_lo = Ro_02a_of_n0_2_left_rest + (n0_2_lo - Ro_02a_of_n0_2_right)
+    Ro_02a = Ro_02a_of_n0_2 / Ro_00a_of_divisor
+    Ro_02a_product = Ro_02a * Ro_00a_of_divisor
+    Ro_02a_product_error = product_error(Ro_02a, Ro_00a_of_divisor, Ro_02a_product)
+    Ro_02a_exact = Ro_02a_of_n0_2 - Ro_02a_product - Ro_02a_product_error
+    Ro_02a_numerator = Ro_02a_exact + Ro_02a_of_n0_2_lo
+    Ro_02a_residual = Ro_02a_numerator - Ro_02a * Ro_00a_of_divisor_lo
+    Ro_02a_lo = Ro_02a_residual / Ro_00a_of_divisor
+    Ro_02 = where(regular == 1, Ro_02a, nan)
+    Ro_02_lo = where(regular == 1, Ro_02a_lo, 0)
+    Ro_10a_of_n1_0 = n1_0 + n1_0_lo
+    Ro_10a_of_n1_0_right = Ro_10a_of_n1_0 - n1_0
+    Ro_10a_of_n1_0_left_rest = n1_0 - (Ro_10a_of_n1_0 - Ro_10a_of_n1_0_right)
+    Ro_10a_of_n1_0_lo = Ro_10a_of_n1_0_left_rest + (n1_0_lo - Ro_10a_of_n1_0_right)
+    Ro_10a = Ro_10a_of_n1_0 / Ro_00a_of_divisor
+    Ro_10a_product = Ro_10a * Ro_00a_of_divisor
+    Ro_10a_product_error = product_error(Ro_10a, Ro_00a_of_divisor, Ro_10a_product)
+    Ro_10a_exact = Ro_10a_of_n1_0 - Ro_10a_product - Ro_10a_product_error
+    Ro_10a_numerator = Ro_10a_exact + Ro_10a_of_n1_0_lo
+    Ro_10a_residual = Ro_10a_numerator - Ro_10a * Ro_00a_of_divisor_lo
+    Ro_10a_lo = Ro_10a_residual / Ro_00a_of_divisor
+    Ro_10 = where(regular == 1, Ro_10a, nan)
+    Ro_10_lo = where(regular == 1, Ro_10a_lo, 0)
+    Ro_11a_of_n1_1 = n1_1 + n1_1_lo
+    Ro_11a_of_n1_1_right = Ro_11a_of_n1_1 - n1_1
+    Ro_11a_of_n1_1_left_rest = n1_1 - (Ro_11a_of_n1_1 - Ro_11a_of_n1_1_right)
+    Ro_11a_of_n1_1_lo = Ro_11a_of_n1_1_left_rest + (n1_1_lo - Ro_11a_of_n1_1_right)
+    Ro_11a = Ro_11a_of_n1_1 / Ro_00a_of_divisor
+    Ro_11a_product = Ro_11a * Ro_00a_of_divisor
+    Ro_11a_product_error = product_error(Ro_11a, Ro_00a_of_divisor, Ro_11a_product)
+    Ro_11a_exact = Ro_11a_of_n1_1 - Ro_11a_product - Ro_11a_product_error
+    Ro_11a_numerator = Ro_11a_exact + Ro_11a_of_n1_1_lo
+    Ro_11a_residual = Ro_11a_numerator - Ro_11a * Ro_00a_of_divisor_lo
+    Ro_11a_lo = Ro_11a_residual / Ro_00a_of_divisor
+    Ro_11 = where(regular == 1, Ro_11a, nan)
+    Ro_11_lo = where(regular == 1, Ro_11a_lo, 0)
+    Ro_12a_of_n1_2 = n1_2 + n1_2_lo
+    Ro_12a_of_n1_2_right = Ro_12a_of_n1_2 - n1_2
+    Ro_12a_of_n1_2_left_rest = n1_2 - (Ro_12a_of_n1_2 - Ro_12a_of_n1_2_right)
+    Ro_12a_of_n1_2_lo = Ro_12a_of_n1_2_left_rest + (n1_2_lo - Ro_12a_of_n1_2_right)
+    Ro_12a = Ro_12a_of_n1_2 / Ro_00a_of_divisor
+    Ro_12a_product = Ro_12a * Ro_00a_of_divisor
+    Ro_12a_product_error = product_error(Ro_12a, Ro_00a_of_divisor, Ro_12a_product)
+    Ro_12a_exact = Ro_12a_of_n1_2 - Ro_12a_product - Ro_12a_product_error
+    Ro_12a_numerator = Ro_12a_exact + Ro_12a_of_n1_2_lo
+    Ro_12a_residual = Ro_12a_numerator - Ro_12a * Ro_00a_of_divisor_lo
+    Ro_12a_lo = Ro_12a_residual / Ro_00a_of_divisor
+    Ro_12 = where(regular == 1, Ro_12a, nan)
+    Ro_12_lo = where(regular == 1, Ro_12a_lo, 0)
+    Ro_20a_of_n2_0 = n2_0 + n2_0_lo
+    Ro_20a_of_n2_0_right = Ro_20a_of_n2_0 - n2_0
+    Ro_20a_of_n2_0_left_rest = n2_0 - (Ro_20a_of_n2_0 - Ro_20a_of_n2_0_right)
+    Ro_20a_of_n2_0_lo = Ro_20a_of_n2_0_left_rest + (n2_0_lo - Ro_20a_of_n2_0_right)
+    Ro_20a = Ro_20a_of_n2_0 / Ro_00a_of_divisor
+    Ro_20a_product = Ro_20a * Ro_00a_of_divisor
+    Ro_20a_product_error = product_error(Ro_20a, Ro_00a_of_divisor, Ro_20a_product)
+    Ro_20a_exact = Ro_20a_of_n2_0 - Ro_20a_product - Ro_20a_product_error
+    Ro_20a_numerator = Ro_20a_exact + Ro_20a_of_n2_0_lo
+    Ro_20a_residual = Ro_20a_numerator - Ro_20a * Ro_00a_of_divisor_lo
+    Ro_20a_lo = Ro_20a_residual / Ro_00a_of_divisor
+    Ro_20 = where(regular == 1, Ro_20a, nan)
+    Ro_20_lo = where(regular == 1, Ro_20a_lo, 0)
+    Ro_21a_of_n2_1 = n2_1 + n2_1_lo
+    Ro_21a_of_n2_1_right = Ro_21a_of_n2_1 - n2_1
+    Ro_21a_of_n2_1_left_rest = n2_1 - (Ro_21a_of_n2_1 - Ro_21a_of_n2_1_right)
+    Ro_21a_of_n2_1_lo = Ro_21a_of_n2_1_left_rest + (n2_1_lo - Ro_21a_of_n2_1_right)
+    Ro_21a = Ro_21a_of_n2_1 / Ro_00a_of_divisor
+    Ro_21a_product = Ro_21a * Ro_00a_of_divisor
+    Ro_21a_product_error = product_error(Ro_21a, Ro_00a_of_divisor, Ro_21a_product)
+    Ro_21a_exact = Ro_21a_of_n2_1 - Ro_21a_product - Ro_21a_product_error
+    Ro_21a_numerator = Ro_21a_exact + Ro_21a_of_n2_1_lo
+    Ro_21a_residual = Ro_21a_numerator - Ro_21a * Ro_00a_of_divisor_lo
+    Ro_21a_lo = Ro_21a_residual / Ro_00a_of_divisor
+    Ro_21 = where(regular == 1, Ro_21a, nan)
+    Ro_21_lo = where(regular == 1, Ro_21a_lo, 0)
+    Ro_22a_of_n2_2 = n2_2 + n2_2_lo
+    Ro_22a_of_n2_2_right = Ro_22a_of_n2_2 - n2_2
+    Ro_22a_of_n2_2_left_rest = n2_2 - (Ro_22a_of_n2_2 - Ro_22a_of_n2_2_right)
+    Ro_22a_of_n2_2_lo = Ro_22a_of_n2_2_left_rest + (n2_2_lo - Ro_22a_of_n2_2_right)
+    Ro_22a = Ro_22a_of_n2_2 / Ro_00a_of_divisor
+    Ro_22a_product = Ro_22a * Ro_00a_of_divisor
+    Ro_22a_product_error = product_error(Ro_22a, Ro_00a_of_divisor, Ro_22a_product)
+    Ro_22a_exact = Ro_22a_of_n2_2 - Ro_22a_product - Ro_22a_product_error
+    Ro_22a_numerator = Ro_22a_exact + Ro_22a_of_n2_2_lo
+    Ro_22a_residual = Ro_22a_numerator - Ro_22a * Ro_00a_of_divisor_lo
+    Ro_22a_lo = Ro_22a_residual / Ro_00a_of_divisor
+    Ro_22 = where(regular == 1, Ro_22a, nan)
+    Ro_22_lo = where(regular == 1, Ro_22a_lo, 0)
+    det_rounded = det + where(regular == 1, regular_a_of_d_lo, 0)
+    Ro_00_rounded = Ro_00 + Ro_00_lo
+    Ro_01_rounded = Ro_01 + Ro_01_lo
+    Ro_02_rounded = Ro_02 + Ro_02_lo
+    Ro_10_rounded = Ro_10 + Ro_10_lo
+    Ro_11_rounded = Ro_11 + Ro_11_lo
+    Ro_12_rounded = Ro_12 + Ro_12_lo
+    Ro_20_rounded = Ro_20 + Ro_20_lo
+    Ro_21_rounded = Ro_21 + Ro_21_lo
+    Ro_22_rounded = Ro_22 + Ro_22_lo
+    return (where(det_rounded == det_rounded, det_rounded, det),
+        where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00),
+        where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01),
+        where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02),
+        where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10),
+        where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11),
+        where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12),
+        where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20),
+        where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21),
+        where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22))
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_normalize(self):
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+    self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
+    q0_s_size_0 = absolute(self_00)
+    q0_s_size_1 = absolute(self_01)
+    q0_s_size_2 = absolute(self_02)
+    q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
+    q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
+    q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_y_0 = self_00 * q0_s
+    q0_y_1 = self_01 * q0_s
+    q0_y_2 = self_02 * q0_s
+    q0_up = where(1 < q0_s, q0_s, 1)
+    q0_down = where(q0_s < 1, q0_s, 1)
+    q0_n_a = q0_y_0 * q0_y_0
+    q0_n_b = q0_y_1 * q0_y_1
+    q0_n_c = q0_n_a + q0_n_b
+    q0_n_c_right = q0_n_c - q0_n_a
+    q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
+    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
+    q0_n_d = q0_y_2 * q0_y_2
+    q0_n_e = q0_n_c + q0_n_d
+    q0_n_e_right = q0_n_e - q0_n_c
+    q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
+    q0_n_e_lo1 = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest
+    q0_n_e_lo = q0_n_e_lo1 + q0_n_c_lo
+    q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
+    q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
+    q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
+    q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right)
+    q0_n = sqrt(q0_n_of_q0_n_e)
+    q0_n_product = q0_n * q0_n
+    q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
+    q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
+    q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
+    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
+    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
+    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
+    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
+    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
+    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
+    q0_enlarged_0 = self_00 * q0_up
+    q0_enlarged_1 = self_01 * q0_up
+    q0_enlarged_2 = self_02 * q0_up
+    q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
+    q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
+    q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
+    q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
+    q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor
+    q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
+    q0_quotient_0_product_error = product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product)
+    q0_quotient_0_exact = q0_enlarged_0 - q0_quotient_0_product - q0_quotient_0_product_error
+    q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor
+    q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor
+    q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor
+    q0_quotient_1_product_error = product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product)
+    q0_quotient_1_exact = q0_enlarged_1 - q0_quotient_1_product - q0_quotient_1_product_error
+    q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor
+    q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor
+    q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor
+    q0_quotient_2_product_error = product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product)
+    q0_quotient_2_exact = q0_enlarged_2 - q0_quotient_2_product - q0_quotient_2_product_error
+    q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor
+    q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
+    q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
+    q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
+    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
+    q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
+    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0 = q0_0_of_q0_quotient_0 * q0_down
+    q0_0_inverse = 1 / q0_down
+    q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
+    q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo
+    q0_0_small = q0_0_rest * q0_down
+    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_small)
+    q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
+    q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
+    q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
+    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
+    q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
+    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1 = q0_1_of_q0_quotient_1 * q0_down
+    q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
+    q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo
+    q0_1_small = q0_1_rest * q0_down
+    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_small)
+    q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
+    q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
+    q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
+    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
+    q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
+    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2 = q0_2_of_q0_quotient_2 * q0_down
+    q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
+    q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo
+    q0_2_small = q0_2_rest * q0_down
+    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_small)
+    u1_s_size_0 = absolute(self_10)
+    u1_s_size_1 = absolute(self_11)
+    u1_s_size_2 = absolute(self_12)
+    u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
+    u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
+    u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_y_0 = self_10 * u1_s
+    u1_y_1 = self_11 * u1_s
+    u1_y_2 = self_12 * u1_s
+    u1_up = where(1 < u1_s, u1_s, 1)
+    u1_down = where(u1_s < 1, u1_s, 1)
+    u1_n_a = u1_y_0 * u1_y_0
+    u1_n_b = u1_y_1 * u1_y_1
+    u1_n_c = u1_n_a + u1_n_b
+    u1_n_c_right = u1_n_c - u1_n_a
+    u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
+    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
+    u1_n_d = u1_y_2 * u1_y_2
+    u1_n_e = u1_n_c + u1_n_d
+    u1_n_e_right = u1_n_e - u1_n_c
+    u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
+    u1_n_e_lo1 = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest
+    u1_n_e_lo = u1_n_e_lo1 + u1_n_c_lo
+    u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
+    u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
+    u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
+    u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right)
+    u1_n = sqrt(u1_n_of_u1_n_e)
+    u1_n_product = u1_n * u1_n
+    u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
+    u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
+    u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
+    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
+    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
+    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
+    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
+    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
+    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
+    u1_enlarged_0 = self_10 * u1_up
+    u1_enlarged_1 = self_11 * u1_up
+    u1_enlarged_2 = self_12 * u1_up
+    u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
+    u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
+    u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
+    u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
+    u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor
+    u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
+    u1_quotient_0_product_error = product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product)
+    u1_quotient_0_exact = u1_enlarged_0 - u1_quotient_0_product - u1_quotient_0_product_error
+    u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor
+    u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor
+    u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor
+    u1_quotient_1_product_error = product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product)
+    u1_quotient_1_exact = u1_enlarged_1 - u1_quotient_1_product - u1_quotient_1_product_error
+    u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor
+    u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor
+    u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor
+    u1_quotient_2_product_error = product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product)
+    u1_quotient_2_exact = u1_enlarged_2 - u1_quotient_2_product - u1_quotient_2_product_error
+    u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor
+    u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
+    u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
+    u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
+    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
+    u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
+    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0 = u1_0_of_u1_quotient_0 * u1_down
+    u1_0_inverse = 1 / u1_down
+    u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
+    u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo
+    u1_0_small = u1_0_rest * u1_down
+    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_small)
+    u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
+    u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
+    u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
+    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
+    u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
+    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1 = u1_1_of_u1_quotient_1 * u1_down
+    u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
+    u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo
+    u1_1_small = u1_1_rest * u1_down
+    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_small)
+    u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
+    u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
+    u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
+    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
+    u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
+    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2 = u1_2_of_u1_quotient_2 * u1_down
+    u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
+    u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo
+    u1_2_small = u1_2_rest * u1_down
+    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_small)
+    along_a = q0_0 * u1_0
+    along_b = q0_1 * u1_1
+    along_c = along_a + along_b
+    along_c_right = along_c - along_a
+    along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
+    along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
+    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
+    along_d = q0_2 * u1_2
+    along = along_c + along_d
+    along_right = along - along_c
+    along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
+    along_lo2 = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo)
+    along_lo = along_lo2 + along_c_lo
+    once_0a = q0_0 * along
+    once_0 = u1_0 - once_0a
+    once_0_right = u1_0 - once_0
+    once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
+    once_0_lo2 = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo)
+    once_0_lo = once_0_lo2 + u1_0_lo
+    once_1a = q0_1 * along
+    once_1 = u1_1 - once_1a
+    once_1_right = u1_1 - once_1
+    once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
+    once_1_lo2 = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo)
+    once_1_lo = once_1_lo2 + u1_1_lo
+    once_2a = q0_2 * along
+    once_2 = u1_2 - once_2a
+    once_2_right = u1_2 - once_2
+    once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
+    once_2_lo2 = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo)
+    once_2_lo = once_2_lo2 + u1_2_lo
+    rest_a = q0_0 * once_0
+    rest_b = q0_1 * once_1
+    rest_c = rest_a + rest_b
+    rest_c_right = rest_c - rest_a
+    rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
+    rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
+    rest_c_lo1 = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right)
+    rest_c_lo = rest_c_lo1 + rest_c_cross
+    rest_d = q0_2 * once_2
+    rest = rest_c + rest_d
+    rest_right = rest - rest_c
+    rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
+    rest_lo2 = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo)
+    rest_lo = rest_lo2 + rest_c_lo
+    twice_0a = q0_0 * rest
+    twice_0 = once_0 - twice_0a
+    twice_0_right = once_0 - twice_0
+    twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
+    twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
+    twice_0_lo2 = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo)
+    twice_0_lo = twice_0_lo2 + once_0_lo
+    twice_1a = q0_1 * rest
+    twice_1 = once_1 - twice_1a
+    twice_1_right = once_1 - twice_1
+    twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
+    twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
+    twice_1_lo2 = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo)
+    twice_1_lo = twice_1_lo2 + once_1_lo
+    twice_2a = q0_2 * rest
+    twice_2 = once_2 - twice_2a
+    twice_2_right = once_2 - twice_2
+    twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
+    twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
+    twice_2_lo2 = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo)
+    twice_2_lo = twice_2_lo2 + once_2_lo
+    n_a = twice_0 * twice_0
+    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
+    n_b = twice_1 * twice_1
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
+    n_c_cross = n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo)
+    n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
+    n_c_lo = n_c_lo1 + n_c_cross
+    n_d = twice_2 * twice_2
+    n_e = n_c + n_d
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
+    n_e_lo2 = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo)
+    n_e_lo = n_e_lo2 + n_c_lo
+    n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
+    n = sqrt(n_of_n_e)
+    n_product = n * n
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    q1_0_of_twice_0 = twice_0 + twice_0_lo
+    q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
+    q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
+    q1_0_of_twice_0_lo = q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right)
+    q1_0_of_divisor = divisor + divisor_lo
+    q1_0_of_divisor_right = q1_0_of_divisor - divisor
+    q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
+    q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + (divisor_lo - q1_0_of_divisor_right)
+    q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
+    q1_0_product = q1_0 * q1_0_of_divisor
+    q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
+    q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo
+    q1_0_residual = q1_0_numerator - q1_0 * q1_0_of_divisor_lo
+    q1_0_lo = q1_0_residual / q1_0_of_divisor
+    q1_1_of_twice_1 = twice_1 + twice_1_lo
+    q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
+    q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
+    q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right)
+    q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
+    q1_1_product = q1_1 * q1_0_of_divisor
+    q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
+    q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo
+    q1_1_residual = q1_1_numerator - q1_1 * q1_0_of_divisor_lo
+    q1_1_lo = q1_1_residual / q1_0_of_divisor
+    q1_2_of_twice_2 = twice_2 + twice_2_lo
+    q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
+    q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
+    q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right)
+    q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
+    q1_2_product = q1_2 * q1_0_of_divisor
+    q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
+    q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo
+    q1_2_residual = q1_2_numerator - q1_2 * q1_0_of_divisor_lo
+    q1_2_lo = q1_2_residual / q1_0_of_divisor
+    normal_0a = q0_1 * q1_2
+    normal_0b = q0_2 * q1_1
+    normal_0 = normal_0a - normal_0b
+    normal_0_right = normal_0a - normal_0
+    normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
+    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
+    normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
+    normal_0_lo = normal_0_lo1 + normal_0_cross
+    normal_1a = q0_2 * q1_0
+    normal_1b = q0_0 * q1_2
+    normal_1 = normal_1a - normal_1b
+    normal_1_right = normal_1a - normal_1
+    normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
+    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
+    normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
+    normal_1_lo = normal_1_lo1 + normal_1_cross
+    normal_2a = q0_0 * q1_1
+    normal_2b = q0_1 * q1_0
+    normal_2 = normal_2a - normal_2b
+    normal_2_right = normal_2a - normal_2
+    normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
+    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
+    normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
+    normal_2_lo = normal_2_lo1 + normal_2_cross
+    u2_s_size_0 = absolute(self_20)
+    u2_s_size_1 = absolute(self_21)
+    u2_s_size_2 = absolute(self_22)
+    u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
+    u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
+    u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_y_0 = self_20 * u2_s
+    u2_y_1 = self_21 * u2_s
+    u2_y_2 = self_22 * u2_s
+    u2_up = where(1 < u2_s, u2_s, 1)
+    u2_down = where(u2_s < 1, u2_s, 1)
+    u2_n_a = u2_y_0 * u2_y_0
+    u2_n_b = u2_y_1 * u2_y_1
+    u2_n_c = u2_n_a + u2_n_b
+    u2_n_c_right = u2_n_c - u2_n_a
+    u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
+    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
+    u2_n_d = u2_y_2 * u2_y_2
+    u2_n_e = u2_n_c + u2_n_d
+    u2_n_e_right = u2_n_e - u2_n_c
+    u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
+    u2_n_e_lo1 = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest
+    u2_n_e_lo = u2_n_e_lo1 + u2_n_c_lo
+    u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
+    u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
+    u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
+    u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right)
+    u2_n = sqrt(u2_n_of_u2_n_e)
+    u2_n_product = u2_n * u2_n
+    u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
+    u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
+    u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
+    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
+    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
+    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
+    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
+    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
+    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
+    u2_enlarged_0 = self_20 * u2_up
+    u2_enlarged_1 = self_21 * u2_up
+    u2_enlarged_2 = self_22 * u2_up
+    u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
+    u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
+    u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
+    u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
+    u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor
+    u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
+    u2_quotient_0_product_error = product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product)
+    u2_quotient_0_exact = u2_enlarged_0 - u2_quotient_0_product - u2_quotient_0_product_error
+    u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor
+    u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor
+    u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor
+    u2_quotient_1_product_error = product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product)
+    u2_quotient_1_exact = u2_enlarged_1 - u2_quotient_1_product - u2_quotient_1_product_error
+    u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor
+    u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor
+    u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor
+    u2_quotient_2_product_error = product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product)
+    u2_quotient_2_exact = u2_enlarged_2 - u2_quotient_2_product - u2_quotient_2_product_error
+    u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
+    u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
+    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
+    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
+    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
+    u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_0_inverse = 1 / u2_down
+    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
+    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
+    u2_0_small = u2_0_rest * u2_down
+    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
+    u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
+    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
+    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
+    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
+    u2_1 = u2_1_of_u2_quotient_1 * u2_down
+    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
+    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
+    u2_1_small = u2_1_rest * u2_down
+    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
+    u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
+    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
+    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
+    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_2 = u2_2_of_u2_quotient_2 * u2_down
+    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
+    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
+    u2_2_small = u2_2_rest * u2_down
+    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    side_a = normal_0 * u2_0
+    side_a_cross2 = normal_0 * u2_0_lo
+    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
+    side_b = normal_1 * u2_1
+    side_b_cross2 = normal_1 * u2_1_lo
+    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
+    side_c = side_a + side_b
+    side_c_right = side_c - side_a
+    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+    side_c_cross = side_a_cross + side_b_cross
+    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_c_lo = side_c_lo1 + side_c_cross
+    side_d = normal_2 * u2_2
+    side_d_cross2 = normal_2 * u2_2_lo
+    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
+    side = side_c + side_d
+    side_right = side - side_c
+    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+    side_lo2 = side_lo1 + side_d_cross
+    side_lo = side_lo2 + side_c_lo
+    q2_0b_of_side = side + side_lo
+    q2_0b_of_side_right = q2_0b_of_side - side
+    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
+    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
+    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
+    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
+    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    size = absolute(q2_0b_of_side)
+    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
+    less_a_of_size = size + size_lo
+    less_a_of_size_right = less_a_of_size - size
+    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
+    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
+    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
+    dependent_a_of_less = less + less_lo
+    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
+    self_00_new = where(dependent == 1, nan, q0_0)
+    self_01_new = where(dependent == 1, nan, q0_1)
+    self_02_new = where(dependent == 1, nan, q0_2)
+    self_10_new = where(dependent == 1, nan, q1_0)
+    self_11_new = where(dependent == 1, nan, q1_1)
+    self_12_new = where(dependent == 1, nan, q1_2)
+    self_20_new = where(dependent == 1, nan, q2_0)
+    self_20_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
+    self_21_new = where(dependent == 1, nan, q2_1)
+    self_21_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
+    self_22_new = where(dependent == 1, nan, q2_2)
+    self_22_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
+    self_00_new_rounded = self_00_new + where(dependent == 1, 0, q0_0_lo)
+    self_01_new_rounded = self_01_new + where(dependent == 1, 0, q0_1_lo)
+    self_02_new_rounded = self_02_new + where(dependent == 1, 0, q0_2_lo)
+    self_10_new_rounded = self_10_new + where(dependent == 1, 0, q1_0_lo)
+    self_11_new_rounded = self_11_new + where(dependent == 1, 0, q1_1_lo)
+    self_12_new_rounded = self_12_new + where(dependent == 1, 0, q1_2_lo)
+    self_20_new_rounded = self_20_new + self_20_new_lo
+    self_21_new_rounded = self_21_new + self_21_new_lo
+    self_22_new_rounded = self_22_new + self_22_new_lo
+    return (where(self_00_new_rounded == self_00_new_rounded, self_00_new_rounded, self_00_new),
+        where(self_01_new_rounded == self_01_new_rounded, self_01_new_rounded, self_01_new),
+        where(self_02_new_rounded == self_02_new_rounded, self_02_new_rounded, self_02_new),
+        where(self_10_new_rounded == self_10_new_rounded, self_10_new_rounded, self_10_new),
+        where(self_11_new_rounded == self_11_new_rounded, self_11_new_rounded, self_11_new),
+        where(self_12_new_rounded == self_12_new_rounded, self_12_new_rounded, self_12_new),
+        where(self_20_new_rounded == self_20_new_rounded, self_20_new_rounded, self_20_new),
+        where(self_21_new_rounded == self_21_new_rounded, self_21_new_rounded, self_21_new),
+        where(self_22_new_rounded == self_22_new_rounded, self_22_new_rounded, self_22_new))
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_normalized(R):
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    q0_s_size_0 = absolute(R_00)
+    q0_s_size_1 = absolute(R_01)
+    q0_s_size_2 = absolute(R_02)
+    q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
+    q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
+    q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_y_0 = R_00 * q0_s
+    q0_y_1 = R_01 * q0_s
+    q0_y_2 = R_02 * q0_s
+    q0_up = where(1 < q0_s, q0_s, 1)
+    q0_down = where(q0_s < 1, q0_s, 1)
+    q0_n_a = q0_y_0 * q0_y_0
+    q0_n_b = q0_y_1 * q0_y_1
+    q0_n_c = q0_n_a + q0_n_b
+    q0_n_c_right = q0_n_c - q0_n_a
+    q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
+    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
+    q0_n_d = q0_y_2 * q0_y_2
+    q0_n_e = q0_n_c + q0_n_d
+    q0_n_e_right = q0_n_e - q0_n_c
+    q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
+    q0_n_e_lo1 = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest
+    q0_n_e_lo = q0_n_e_lo1 + q0_n_c_lo
+    q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
+    q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
+    q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
+    q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right)
+    q0_n = sqrt(q0_n_of_q0_n_e)
+    q0_n_product = q0_n * q0_n
+    q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
+    q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
+    q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
+    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
+    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
+    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
+    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
+    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
+    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
+    q0_enlarged_0 = R_00 * q0_up
+    q0_enlarged_1 = R_01 * q0_up
+    q0_enlarged_2 = R_02 * q0_up
+    q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
+    q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
+    q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
+    q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
+    q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor
+    q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
+    q0_quotient_0_product_error = product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product)
+    q0_quotient_0_exact = q0_enlarged_0 - q0_quotient_0_product - q0_quotient_0_product_error
+    q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor
+    q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor
+    q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor
+    q0_quotient_1_product_error = product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product)
+    q0_quotient_1_exact = q0_enlarged_1 - q0_quotient_1_product - q0_quotient_1_product_error
+    q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor
+    q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor
+    q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor
+    q0_quotient_2_product_error = product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product)
+    q0_quotient_2_exact = q0_enlarged_2 - q0_quotient_2_product - q0_quotient_2_product_error
+    q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo
+    q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor
+    q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
+    q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
+    q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
+    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
+    q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
+    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0 = q0_0_of_q0_quotient_0 * q0_down
+    q0_0_inverse = 1 / q0_down
+    q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
+    q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo
+    q0_0_small = q0_0_rest * q0_down
+    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_small)
+    q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
+    q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
+    q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
+    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
+    q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
+    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1 = q0_1_of_q0_quotient_1 * q0_down
+    q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
+    q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo
+    q0_1_small = q0_1_rest * q0_down
+    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_small)
+    q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
+    q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
+    q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
+    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
+    q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
+    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2 = q0_2_of_q0_quotient_2 * q0_down
+    q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
+    q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo
+    q0_2_small = q0_2_rest * q0_down
+    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_small)
+    u1_s_size_0 = absolute(R_10)
+    u1_s_size_1 = absolute(R_11)
+    u1_s_size_2 = absolute(R_12)
+    u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
+    u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
+    u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_y_0 = R_10 * u1_s
+    u1_y_1 = R_11 * u1_s
+    u1_y_2 = R_12 * u1_s
+    u1_up = where(1 < u1_s, u1_s, 1)
+    u1_down = where(u1_s < 1, u1_s, 1)
+    u1_n_a = u1_y_0 * u1_y_0
+    u1_n_b = u1_y_1 * u1_y_1
+    u1_n_c = u1_n_a + u1_n_b
+    u1_n_c_right = u1_n_c - u1_n_a
+    u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
+    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
+    u1_n_d = u1_y_2 * u1_y_2
+    u1_n_e = u1_n_c + u1_n_d
+    u1_n_e_right = u1_n_e - u1_n_c
+    u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
+    u1_n_e_lo1 = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest
+    u1_n_e_lo = u1_n_e_lo1 + u1_n_c_lo
+    u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
+    u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
+    u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
+    u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right)
+    u1_n = sqrt(u1_n_of_u1_n_e)
+    u1_n_product = u1_n * u1_n
+    u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
+    u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
+    u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
+    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
+    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
+    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
+    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
+    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
+    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
+    u1_enlarged_0 = R_10 * u1_up
+    u1_enlarged_1 = R_11 * u1_up
+    u1_enlarged_2 = R_12 * u1_up
+    u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
+    u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
+    u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
+    u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
+    u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor
+    u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
+    u1_quotient_0_product_error = product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product)
+    u1_quotient_0_exact = u1_enlarged_0 - u1_quotient_0_product - u1_quotient_0_product_error
+    u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor
+    u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor
+    u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor
+    u1_quotient_1_product_error = product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product)
+    u1_quotient_1_exact = u1_enlarged_1 - u1_quotient_1_product - u1_quotient_1_product_error
+    u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor
+    u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor
+    u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor
+    u1_quotient_2_product_error = product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product)
+    u1_quotient_2_exact = u1_enlarged_2 - u1_quotient_2_product - u1_quotient_2_product_error
+    u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo
+    u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor
+    u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
+    u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
+    u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
+    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
+    u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
+    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0 = u1_0_of_u1_quotient_0 * u1_down
+    u1_0_inverse = 1 / u1_down
+    u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
+    u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo
+    u1_0_small = u1_0_rest * u1_down
+    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_small)
+    u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
+    u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
+    u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
+    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
+    u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
+    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1 = u1_1_of_u1_quotient_1 * u1_down
+    u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
+    u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo
+    u1_1_small = u1_1_rest * u1_down
+    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_small)
+    u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
+    u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
+    u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
+    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
+    u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
+    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2 = u1_2_of_u1_quotient_2 * u1_down
+    u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
+    u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo
+    u1_2_small = u1_2_rest * u1_down
+    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_small)
+    along_a = q0_0 * u1_0
+    along_b = q0_1 * u1_1
+    along_c = along_a + along_b
+    along_c_right = along_c - along_a
+    along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
+    along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
+    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
+    along_d = q0_2 * u1_2
+    along = along_c + along_d
+    along_right = along - along_c
+    along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
+    along_lo2 = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo)
+    along_lo = along_lo2 + along_c_lo
+    once_0a = q0_0 * along
+    once_0 = u1_0 - once_0a
+    once_0_right = u1_0 - once_0
+    once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
+    once_0_lo2 = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo)
+    once_0_lo = once_0_lo2 + u1_0_lo
+    once_1a = q0_1 * along
+    once_1 = u1_1 - once_1a
+    once_1_right = u1_1 - once_1
+    once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
+    once_1_lo2 = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo)
+    once_1_lo = once_1_lo2 + u1_1_lo
+    once_2a = q0_2 * along
+    once_2 = u1_2 - once_2a
+    once_2_right = u1_2 - once_2
+    once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
+    once_2_lo2 = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo)
+    once_2_lo = once_2_lo2 + u1_2_lo
+    rest_a = q0_0 * once_0
+    rest_b = q0_1 * once_1
+    rest_c = rest_a + rest_b
+    rest_c_right = rest_c - rest_a
+    rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
+    rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
+    rest_c_lo1 = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right)
+    rest_c_lo = rest_c_lo1 + rest_c_cross
+    rest_d = q0_2 * once_2
+    rest = rest_c + rest_d
+    rest_right = rest - rest_c
+    rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
+    rest_lo2 = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo)
+    rest_lo = rest_lo2 + rest_c_lo
+    twice_0a = q0_0 * rest
+    twice_0 = once_0 - twice_0a
+    twice_0_right = once_0 - twice_0
+    twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
+    twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
+    twice_0_lo2 = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo)
+    twice_0_lo = twice_0_lo2 + once_0_lo
+    twice_1a = q0_1 * rest
+    twice_1 = once_1 - twice_1a
+    twice_1_right = once_1 - twice_1
+    twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
+    twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
+    twice_1_lo2 = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo)
+    twice_1_lo = twice_1_lo2 + once_1_lo
+    twice_2a = q0_2 * rest
+    twice_2 = once_2 - twice_2a
+    twice_2_right = once_2 - twice_2
+    twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
+    twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
+    twice_2_lo2 = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo)
+    twice_2_lo = twice_2_lo2 + once_2_lo
+    n_a = twice_0 * twice_0
+    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
+    n_b = twice_1 * twice_1
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
+    n_c_cross = n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo)
+    n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
+    n_c_lo = n_c_lo1 + n_c_cross
+    n_d = twice_2 * twice_2
+    n_e = n_c + n_d
+    n_e_right = n_e - n_c
+    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
+    n_e_lo2 = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo)
+    n_e_lo = n_e_lo2 + n_c_lo
+    n_of_n_e = n_e + n_e_lo
+    n_of_n_e_right = n_of_n_e - n_e
+    n = sqrt(n_of_n_e)
+    n_product = n * n
+    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    q1_0_of_twice_0 = twice_0 + twice_0_lo
+    q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
+    q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
+    q1_0_of_twice_0_lo = q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right)
+    q1_0_of_divisor = divisor + divisor_lo
+    q1_0_of_divisor_right = q1_0_of_divisor - divisor
+    q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
+    q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + (divisor_lo - q1_0_of_divisor_right)
+    q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
+    q1_0_product = q1_0 * q1_0_of_divisor
+    q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
+    q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo
+    q1_0_residual = q1_0_numerator - q1_0 * q1_0_of_divisor_lo
+    q1_0_lo = q1_0_residual / q1_0_of_divisor
+    q1_1_of_twice_1 = twice_1 + twice_1_lo
+    q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
+    q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
+    q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right)
+    q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
+    q1_1_product = q1_1 * q1_0_of_divisor
+    q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
+    q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo
+    q1_1_residual = q1_1_numerator - q1_1 * q1_0_of_divisor_lo
+    q1_1_lo = q1_1_residual / q1_0_of_divisor
+    q1_2_of_twice_2 = twice_2 + twice_2_lo
+    q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
+    q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
+    q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right)
+    q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
+    q1_2_product = q1_2 * q1_0_of_divisor
+    q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
+    q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo
+    q1_2_residual = q1_2_numerator - q1_2 * q1_0_of_divisor_lo
+    q1_2_lo = q1_2_residual / q1_0_of_divisor
+    normal_0a = q0_1 * q1_2
+    normal_0b = q0_2 * q1_1
+    normal_0 = normal_0a - normal_0b
+    normal_0_right = normal_0a - normal_0
+    normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
+    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
+    normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
+    normal_0_lo = normal_0_lo1 + normal_0_cross
+    normal_1a = q0_2 * q1_0
+    normal_1b = q0_0 * q1_2
+    normal_1 = normal_1a - normal_1b
+    normal_1_right = normal_1a - normal_1
+    normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
+    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
+    normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
+    normal_1_lo = normal_1_lo1 + normal_1_cross
+    normal_2a = q0_0 * q1_1
+    normal_2b = q0_1 * q1_0
+    normal_2 = normal_2a - normal_2b
+    normal_2_right = normal_2a - normal_2
+    normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
+    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
+    normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
+    normal_2_lo = normal_2_lo1 + normal_2_cross
+    u2_s_size_0 = absolute(R_20)
+    u2_s_size_1 = absolute(R_21)
+    u2_s_size_2 = absolute(R_22)
+    u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
+    u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
+    u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_y_0 = R_20 * u2_s
+    u2_y_1 = R_21 * u2_s
+    u2_y_2 = R_22 * u2_s
+    u2_up = where(1 < u2_s, u2_s, 1)
+    u2_down = where(u2_s < 1, u2_s, 1)
+    u2_n_a = u2_y_0 * u2_y_0
+    u2_n_b = u2_y_1 * u2_y_1
+    u2_n_c = u2_n_a + u2_n_b
+    u2_n_c_right = u2_n_c - u2_n_a
+    u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
+    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
+    u2_n_d = u2_y_2 * u2_y_2
+    u2_n_e = u2_n_c + u2_n_d
+    u2_n_e_right = u2_n_e - u2_n_c
+    u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
+    u2_n_e_lo1 = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest
+    u2_n_e_lo = u2_n_e_lo1 + u2_n_c_lo
+    u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
+    u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
+    u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
+    u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right)
+    u2_n = sqrt(u2_n_of_u2_n_e)
+    u2_n_product = u2_n * u2_n
+    u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
+    u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
+    u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
+    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
+    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
+    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
+    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
+    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
+    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
+    u2_enlarged_0 = R_20 * u2_up
+    u2_enlarged_1 = R_21 * u2_up
+    u2_enlarged_2 = R_22 * u2_up
+    u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
+    u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
+    u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
+    u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
+    u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor
+    u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
+    u2_quotient_0_product_error = product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product)
+    u2_quotient_0_exact = u2_enlarged_0 - u2_quotient_0_product - u2_quotient_0_product_error
+    u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor
+    u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor
+    u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor
+    u2_quotient_1_product_error = product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product)
+    u2_quotient_1_exact = u2_enlarged_1 - u2_quotient_1_product - u2_quotient_1_product_error
+    u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor
+    u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor
+    u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor
+    u2_quotient_2_product_error = product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product)
+    u2_quotient_2_exact = u2_enlarged_2 - u2_quotient_2_product - u2_quotient_2_product_error
+    u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
+    u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
+    u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
+    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
+    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
+    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
+    u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_0_inverse = 1 / u2_down
+    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
+    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
+    u2_0_small = u2_0_rest * u2_down
+    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
+    u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
+    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
+    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
+    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
+    u2_1 = u2_1_of_u2_quotient_1 * u2_down
+    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
+    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
+    u2_1_small = u2_1_rest * u2_down
+    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
+    u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
+    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
+    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
+    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_2 = u2_2_of_u2_quotient_2 * u2_down
+    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
+    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
+    u2_2_small = u2_2_rest * u2_down
+    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    side_a = normal_0 * u2_0
+    side_a_cross2 = normal_0 * u2_0_lo
+    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
+    side_b = normal_1 * u2_1
+    side_b_cross2 = normal_1 * u2_1_lo
+    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
+    side_c = side_a + side_b
+    side_c_right = side_c - side_a
+    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+    side_c_cross = side_a_cross + side_b_cross
+    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_c_lo = side_c_lo1 + side_c_cross
+    side_d = normal_2 * u2_2
+    side_d_cross2 = normal_2 * u2_2_lo
+    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
+    side = side_c + side_d
+    side_right = side - side_c
+    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+    side_lo2 = side_lo1 + side_d_cross
+    side_lo = side_lo2 + side_c_lo
+    q2_0b_of_side = side + side_lo
+    q2_0b_of_side_right = q2_0b_of_side - side
+    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
+    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
+    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
+    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
+    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    size = absolute(q2_0b_of_side)
+    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
+    less_a_of_size = size + size_lo
+    less_a_of_size_right = less_a_of_size - size
+    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
+    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
+    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
+    dependent_a_of_less = less + less_lo
+    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
+    Ro_00 = where(dependent == 1, nan, q0_0)
+    Ro_01 = where(dependent == 1, nan, q0_1)
+    Ro_02 = where(dependent == 1, nan, q0_2)
+    Ro_10 = where(dependent == 1, nan, q1_0)
+    Ro_11 = where(dependent == 1, nan, q1_1)
+    Ro_12 = where(dependent == 1, nan, q1_2)
+    Ro_20 = where(dependent == 1, nan, q2_0)
+    Ro_20_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
+    Ro_21 = where(dependent == 1, nan, q2_1)
+    Ro_21_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
+    Ro_22 = where(dependent == 1, nan, q2_2)
+    Ro_22_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
+    Ro_00_rounded = Ro_00 + where(dependent == 1, 0, q0_0_lo)
+    Ro_01_rounded = Ro_01 + where(dependent == 1, 0, q0_1_lo)
+    Ro_02_rounded = Ro_02 + where(dependent == 1, 0, q0_2_lo)
+    Ro_10_rounded = Ro_10 + where(dependent == 1, 0, q1_0_lo)
+    Ro_11_rounded = Ro_11 + where(dependent == 1, 0, q1_1_lo)
+    Ro_12_rounded = Ro_12 + where(dependent == 1, 0, q1_2_lo)
+    Ro_20_rounded = Ro_20 + Ro_20_lo
+    Ro_21_rounded = Ro_21 + Ro_21_lo
+    Ro_22_rounded = Ro_22 + Ro_22_lo
+    return (where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00),
+        where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01),
+        where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02),
+        where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10),
+        where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11),
+        where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12),
+        where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20),
+        where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21),
+        where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22))
+
+
+@kernel("(3),(2)->(3,3)")
+def mat3x3_setFromAxisDC(axis, dc):
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    axis_0, axis_1, axis_2 = axis
+    dc_0, dc_1 = dc
+    versine = 1 - dc_1
+    versine_right = 1 - versine
+    versine_lo = 1 - (versine + versine_right) - (dc_1 - versine_right)
+    versine_axis_0 = axis_0 * versine
+    versine_axis_1 = axis_1 * versine
+    versine_axis_2 = axis_2 * versine
+    versine_axis_0_lo = product_error(axis_0, versine, versine_axis_0) + axis_0 * versine_lo
+    m_0 = axis_0 * versine_axis_0
+    versine_axis_1_lo = product_error(axis_1, versine, versine_axis_1) + axis_1 * versine_lo
+    m_1 = axis_1 * versine_axis_1
+    m_2 = axis_2 * versine_axis_2
+    m_2_cross2 = axis_2 * (product_error(axis_2, versine, versine_axis_2) + axis_2 * versine_lo)
+    m_3 = axis_1 * versine_axis_0
+    m_3_cross2 = axis_1 * versine_axis_0_lo
+    m_4 = axis_2 * versine_axis_0
+    m_4_cross2 = axis_2 * versine_axis_0_lo
+    m_5 = axis_2 * versine_axis_1
+    m_5_cross2 = axis_2 * versine_axis_1_lo
+    sine_axis_0 = axis_0 * dc_0
+    sine_axis_1 = axis_1 * dc_0
+    sine_axis_2 = axis_2 * dc_0
+    R_00 = dc_1 + m_0
+    R_00_right = R_00 - dc_1
+    R_00_lo1 = dc_1 - (R_00 - R_00_right) + product_rest(axis_0, versine_axis_0, m_0, R_00_right)
+    R_00_lo = R_00_lo1 + axis_0 * versine_axis_0_lo
+    R_01 = m_3 - sine_axis_2
+    R_01_right = m_3 - R_01
+    R_01_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_01 + R_01_right)
+    R_01_lo1 = R_01_left_rest - product_rest(axis_2, dc_0, sine_axis_2, R_01_right)
+    R_01_lo = R_01_lo1 + m_3_cross2
+    R_02 = m_4 + sine_axis_1
+    R_02_right = R_02 - m_4
+    R_02_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_02 - R_02_right)
+    R_02_lo1 = R_02_left_rest + product_rest(axis_1, dc_0, sine_axis_1, R_02_right)
+    R_02_lo = R_02_lo1 + m_4_cross2
+    R_10 = m_3 + sine_axis_2
+    R_10_right = R_10 - m_3
+    R_10_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_10 - R_10_right)
+    R_10_lo1 = R_10_left_rest + product_rest(axis_2, dc_0, sine_axis_2, R_10_right)
+    R_10_lo = R_10_lo1 + m_3_cross2
+    R_11 = dc_1 + m_1
+    R_11_right = R_11 - dc_1
+    R_11_lo1 = dc_1 - (R_11 - R_11_right) + product_rest(axis_1, versine_axis_1, m_1, R_11_right)
+    R_11_lo = R_11_lo1 + axis_1 * versine_axis_1_lo
+    R_12 = m_5 - sine_axis_0
+    R_12_right = m_5 - R_12
+    R_12_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_12 + R_12_right)
+    R_12_lo1 = R_12_left_rest - product_rest(axis_0, dc_0, sine_axis_0, R_12_right)
+    R_12_lo = R_12_lo1 + m_5_cross2
+    R_20 = m_4 - sine_axis_1
+    R_20_right = m_4 - R_20
+    R_20_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_20 + R_20_right)
+    R_20_lo1 = R_20_left_rest - product_rest(axis_1, dc_0, sine_axis_1, R_20_right)
+    R_20_lo = R_20_lo1 + m_4_cross2
+    R_21 = m_5 + sine_axis_0
+    R_21_right = R_21 - m_5
+    R_21_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_21 - R_21_right)
+    R_21_lo1 = R_21_left_rest + product_rest(axis_0, dc_0, sine_axis_0, R_21_right)
+    R_21_lo = R_21_lo1 + m_5_cross2
+    R_22 = dc_1 + m_2
+    R_22_right = R_22 - dc_1
+    R_22_lo1 = dc_1 - (R_22 - R_22_right) + product_rest(axis_2, versine_axis_2, m_2, R_22_right)
+    R_22_lo = R_22_lo1 + m_2_cross2
+    R_00_rounded = R_00 + R_00_lo
+    R_01_rounded = R_01 + R_01_lo
+    R_02_rounded = R_02 + R_02_lo
+    R_10_rounded = R_10 + R_10_lo
+    R_11_rounded = R_11 + R_11_lo
+    R_12_rounded = R_12 + R_12_lo
+    R_20_rounded = R_20 + R_20_lo
+    R_21_rounded = R_21 + R_21_lo
+    R_22_rounded = R_22 + R_22_lo
+    return (R_00_rounded, R_01_rounded, R_02_rounded, R_10_rounded, R_11_rounded, R_12_rounded,
+        R_20_rounded, R_21_rounded, R_22_rounded)
+
+
+@kernel("(3,3)->(3)")
+def euler_xyz_from_mat3x3(R):
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
+    less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near
+    gimbal lock too; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n_a = R_00 * R_00
+    n_b = R_01 * R_01
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_c_left_rest = product_rest(R_00, R_00, n_a, n_c - n_c_right)
+    n_c_lo = n_c_left_rest + product_rest(R_01, R_01, n_b, n_c_right)
+    n_of_n_c = n_c + n_c_lo
+    n_of_n_c_right = n_of_n_c - n_c
+    n = sqrt(n_of_n_c)
+    n_product = n * n
+    n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    cosine_a_of_divisor = divisor + divisor_lo
+    cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
+    cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
+    cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right
+    cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest
+    cosine_a = R_00 / cosine_a_of_divisor
+    cosine_a_product = cosine_a * cosine_a_of_divisor
+    cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
+    cosine_a_exact = R_00 - cosine_a_product - cosine_a_product_error
+    cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
+    cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
+    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
+    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
+    sine_a = -R_01
+    sine = sine_a / cosine_a_of_divisor
+    sine_product = sine * cosine_a_of_divisor
+    sine_exact = sine_a - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
+    sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
+    sine_lo = sine_residual / cosine_a_of_divisor
+    polar = arctan2(sine_a, R_00)
+    third = where(divisor_a_of_n == 0, 0, polar)
+    left_1a = R_10 * sine
+    left_1b = R_11 * cosine
+    left_1 = left_1a + left_1b
+    left_1_right = left_1 - left_1a
+    left_1_left_rest = product_rest(R_10, sine, left_1a, left_1 - left_1_right)
+    left_1_lo1 = left_1_left_rest + product_rest(R_11, cosine, left_1b, left_1_right)
+    left_1_lo = left_1_lo1 + (R_10 * sine_lo + R_11 * cosine_lo)
+    left_2a = R_20 * sine
+    left_2b = R_21 * cosine
+    left_2 = left_2a + left_2b
+    left_2_right = left_2 - left_2a
+    left_2_left_rest = product_rest(R_20, sine, left_2a, left_2 - left_2_right)
+    left_2_lo1 = left_2_left_rest + product_rest(R_21, cosine, left_2b, left_2_right)
+    left_2_lo = left_2_lo1 + (R_20 * sine_lo + R_21 * cosine_lo)
+    angles_0_of_left_2 = left_2 + left_2_lo
+    angles_0_of_left_2_right = angles_0_of_left_2 - left_2
+    angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
+    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
+    angles_0_of_left_1 = left_1 + left_1_lo
+    angles_0_of_left_1_right = angles_0_of_left_1 - left_1
+    angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
+    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
+    angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
+    angles_0_size0 = absolute(angles_0_of_left_2)
+    angles_0_size1 = absolute(angles_0_of_left_1)
+    angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
+    angles_0_divisor = where(angles_0_most == 0, 1, angles_0_most)
+    angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
+    angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
+    angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo
+    angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo
+    angles_0_cross = angles_0_cross1 - angles_0_cross2
+    angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
+    angles_0_divisor2 = angles_0_divisor * angles_0_square
+    angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
+    angles_0_lo = angles_0_cross / angles_0_safe
+    angles_1 = arctan2(R_02, divisor_a_of_n)
+    angles_1_size0 = absolute(R_02)
+    angles_1_size1 = absolute(divisor_a_of_n)
+    angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
+    angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
+    angles_1_part0 = R_02 / angles_1_divisor
+    angles_1_part1 = divisor_a_of_n / angles_1_divisor
+    angles_1_cross = angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo
+    angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
+    angles_1_divisor2 = angles_1_divisor * angles_1_square
+    angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
+    angles_1_lo = angles_1_cross / angles_1_safe
+    angles_0_rounded = angles_0 + angles_0_lo
+    angles_1_rounded = angles_1 + angles_1_lo
+    return (where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0),
+        where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1), third)
+
+
+@kernel("(3,3)->(3)")
+def euler_xyx_from_mat3x3(R):
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
+    equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal
+    lock too; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n_a = R_01 * R_01
+    n_b = R_02 * R_02
+    n_c = n_a + n_b
+    n_c_right = n_c - n_a
+    n_c_left_rest = product_rest(R_01, R_01, n_a, n_c - n_c_right)
+    n_c_lo = n_c_left_rest + product_rest(R_02, R_02, n_b, n_c_right)
+    n_of_n_c = n_c + n_c_lo
+    n_of_n_c_right = n_of_n_c - n_c
+    n = sqrt(n_of_n_c)
+    n_product = n * n
+    n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
+    n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
+    n_lo = n_residual / where(n == 0, 1, n + n)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    cosine_a_of_divisor = divisor + divisor_lo
+    cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
+    cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
+    cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right
+    cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest
+    cosine_a = R_02 / cosine_a_of_divisor
+    cosine_a_product = cosine_a * cosine_a_of_divisor
+    cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
+    cosine_a_exact = R_02 - cosine_a_product - cosine_a_product_error
+    cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
+    cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
+    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
+    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
+    sine = R_01 / cosine_a_of_divisor
+    sine_product = sine * cosine_a_of_divisor
+    sine_exact = R_01 - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
+    sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
+    sine_lo = sine_residual / cosine_a_of_divisor
+    polar = arctan2(R_01, R_02)
+    third = where(divisor_a_of_n == 0, 0, polar)
+    left_1a = R_11 * cosine
+    left_1b = R_12 * sine
+    left_1 = left_1a - left_1b
+    left_1_right = left_1a - left_1
+    left_1_left_rest = product_rest(R_11, cosine, left_1a, left_1 + left_1_right)
+    left_1_lo1 = left_1_left_rest - product_rest(R_12, sine, left_1b, left_1_right)
+    left_1_lo = left_1_lo1 + (R_11 * cosine_lo - R_12 * sine_lo)
+    left_2a = R_21 * cosine
+    left_2b = R_22 * sine
+    left_2 = left_2a - left_2b
+    left_2_right = left_2a - left_2
+    left_2_left_rest = product_rest(R_21, cosine, left_2a, left_2 + left_2_right)
+    left_2_lo1 = left_2_left_rest - product_rest(R_22, sine, left_2b, left_2_right)
+    left_2_lo = left_2_lo1 + (R_21 * cosine_lo - R_22 * sine_lo)
+    angles_0_of_left_2 = left_2 + left_2_lo
+    angles_0_of_left_2_right = angles_0_of_left_2 - left_2
+    angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
+    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
+    angles_0_of_left_1 = left_1 + left_1_lo
+    angles_0_of_left_1_right = angles_0_of_left_1 - left_1
+    angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
+    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
+    angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
+    angles_0_size0 = absolute(angles_0_of_left_2)
+    angles_0_size1 = absolute(angles_0_of_left_1)
+    angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
+    angles_0_divisor = where(angles_0_most == 0, 1, angles_0_most)
+    angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
+    angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
+    angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo
+    angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo
+    angles_0_cross = angles_0_cross1 - angles_0_cross2
+    angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
+    angles_0_divisor2 = angles_0_divisor * angles_0_square
+    angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
+    angles_0_lo = angles_0_cross / angles_0_safe
+    angles_1 = arctan2(divisor_a_of_n, R_00)
+    angles_1_size0 = absolute(divisor_a_of_n)
+    angles_1_size1 = absolute(R_00)
+    angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
+    angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
+    angles_1_part0 = divisor_a_of_n / angles_1_divisor
+    angles_1_part1 = R_00 / angles_1_divisor
+    angles_1_cross = angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0
+    angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
+    angles_1_divisor2 = angles_1_divisor * angles_1_square
+    angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
+    angles_1_lo = angles_1_cross / angles_1_safe
+    angles_0_rounded = angles_0 + angles_0_lo
+    angles_1_rounded = angles_1 + angles_1_lo
+    return (where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0),
+        where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1), third)
+
+
+@kernel("(3,3),(3,3)->(3,3),(3,3)")
+def mat3x3_jacobi(A, V):
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
+    equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
+    not proved.
+    """
+    A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
+    V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
+    twice = 2 * A_10
+    apart = A_11 - A_00
+    apart_right = A_11 - apart
+    apart_lo = A_11 - (apart + apart_right) - (A_00 - apart_right)
+    divisor = where(twice == 0, 1, twice)
+    theta_of_apart = apart + apart_lo
+    theta_of_apart_right = theta_of_apart - apart
+    theta_of_apart_left_rest = apart - (theta_of_apart - theta_of_apart_right)
+    theta_of_apart_lo = theta_of_apart_left_rest + (apart_lo - theta_of_apart_right)
+    theta = theta_of_apart / divisor
+    theta_product = theta * divisor
+    theta_exact = theta_of_apart - theta_product - product_error(theta, divisor, theta_product)
+    theta_numerator = theta_exact + theta_of_apart_lo
+    theta_lo = theta_numerator / divisor
+    absolute_of_theta = theta + theta_lo
+    absolute_of_theta_right = absolute_of_theta - theta
+    absolute_of_theta_left_rest = theta - (absolute_of_theta - absolute_of_theta_right)
+    absolute_of_theta_lo = absolute_of_theta_left_rest + (theta_lo - absolute_of_theta_right)
+    absolute = absolute(absolute_of_theta)
+    size_a = absolute_of_theta * absolute_of_theta
+    size_a_cross1 = absolute_of_theta_lo * absolute_of_theta
+    size_a_cross = size_a_cross1 + absolute_of_theta * absolute_of_theta_lo
+    size_b = 1 + size_a
+    size_b_right = size_b - 1
+    size_b_right_rest = product_rest(absolute_of_theta, absolute_of_theta, size_a, size_b_right)
+    size_b_lo1 = 1 - (size_b - size_b_right) + size_b_right_rest
+    size_b_lo = size_b_lo1 + size_a_cross
+    size_c_of_size_b = size_b + size_b_lo
+    size_c_of_size_b_right = size_c_of_size_b - size_b
+    size_c_of_size_b_left_rest = size_b - (size_c_of_size_b - size_c_of_size_b_right)
+    size_c_of_size_b_lo = size_c_of_size_b_left_rest + (size_b_lo - size_c_of_size_b_right)
+    size_c = sqrt(size_c_of_size_b)
+    size_c_product = size_c * size_c
+    size_c_exact = size_c_of_size_b - size_c_product - product_error(size_c, size_c, size_c_product)
+    size_c_residual = size_c_exact + size_c_of_size_b_lo
+    size_c_lo = size_c_residual / where(size_c == 0, 1, size_c + size_c)
+    size = absolute + size_c
+    size_right = size - absolute
+    size_lo1 = absolute - (size - size_right) + (size_c - size_right)
+    size_lo2 = size_lo1 + size_c_lo
+    size_lo = size_lo2 + where(absolute_of_theta < 0, -absolute_of_theta_lo, absolute_of_theta_lo)
+    along = where(absolute_of_theta < 0, -size, size)
+    along_lo = where(absolute_of_theta < 0, -size_lo, size_lo)
+    t_a_of_along = along + along_lo
+    t_a_of_along_right = t_a_of_along - along
+    t_a_of_along_lo = along - (t_a_of_along - t_a_of_along_right) + (along_lo - t_a_of_along_right)
+    t_a = 1 / t_a_of_along
+    t_a_product = t_a * t_a_of_along
+    t_a_exact = 1 - t_a_product - product_error(t_a, t_a_of_along, t_a_product)
+    t_a_cross = t_a * t_a_of_along_lo
+    t_a_residual = t_a_exact - t_a_cross
+    t_a_lo = t_a_residual / t_a_of_along
+    t = where(twice == 0, 0, t_a)
+    t_lo = where(twice == 0, 0, t_a_lo)
+    secant_a = t * t
+    secant_b = 1 + secant_a
+    secant_b_right = secant_b - 1
+    secant_b_lo1 = 1 - (secant_b - secant_b_right) + product_rest(t, t, secant_a, secant_b_right)
+    secant_b_lo = secant_b_lo1 + (t_lo * t + t * t_lo)
+    secant_of_secant_b = secant_b + secant_b_lo
+    secant_of_secant_b_right = secant_of_secant_b - secant_b
+    secant_of_secant_b_left_rest = secant_b - (secant_of_secant_b - secant_of_secant_b_right)
+    secant_of_secant_b_lo = secant_of_secant_b_left_rest + (secant_b_lo - secant_of_secant_b_right)
+    secant = sqrt(secant_of_secant_b)
+    secant_product = secant * secant
+    secant_product_error = product_error(secant, secant, secant_product)
+    secant_exact = secant_of_secant_b - secant_product - secant_product_error
+    secant_residual = secant_exact + secant_of_secant_b_lo
+    secant_lo = secant_residual / where(secant == 0, 1, secant + secant)
+    c_of_secant = secant + secant_lo
+    c_of_secant_right = c_of_secant - secant
+    c = 1 / c_of_secant
+    c_product = c * c_of_secant
+    c_exact = 1 - c_product - product_error(c, c_of_secant, c_product)
+    c_cross = c * (secant - (c_of_secant - c_of_secant_right) + (secant_lo - c_of_secant_right))
+    c_residual = c_exact - c_cross
+    c_lo = c_residual / c_of_secant
+    s = t * c
+    change = A_10 * t
+    change_cross2 = A_10 * t_lo
+    zp_a = A_20 * c
+    s_lo = product_error(t, c, s) + (t_lo * c + t * c_lo)
+    zp_b = A_21 * s
+    zp = zp_a - zp_b
+    zp_right = zp_a - zp
+    zp_lo1 = product_rest(A_20, c, zp_a, zp + zp_right) - product_rest(A_21, s, zp_b, zp_right)
+    zp_lo = zp_lo1 + (A_20 * c_lo - A_21 * s_lo)
+    zq_a = A_20 * s
+    zq_b = A_21 * c
+    zq = zq_a + zq_b
+    zq_right = zq - zq_a
+    zq_lo1 = product_rest(A_20, s, zq_a, zq - zq_right) + product_rest(A_21, c, zq_b, zq_right)
+    zq_lo = zq_lo1 + (A_20 * s_lo + A_21 * c_lo)
+    vp_0a = V_00 * c
+    vp_0b = V_01 * s
+    vp_0 = vp_0a - vp_0b
+    vp_0_right = vp_0a - vp_0
+    vp_0_left_rest = product_rest(V_00, c, vp_0a, vp_0 + vp_0_right)
+    vp_0_lo1 = vp_0_left_rest - product_rest(V_01, s, vp_0b, vp_0_right)
+    vp_0_lo = vp_0_lo1 + (V_00 * c_lo - V_01 * s_lo)
+    vp_1a = V_10 * c
+    vp_1b = V_11 * s
+    vp_1 = vp_1a - vp_1b
+    vp_1_right = vp_1a - vp_1
+    vp_1_left_rest = product_rest(V_10, c, vp_1a, vp_1 + vp_1_right)
+    vp_1_lo1 = vp_1_left_rest - product_rest(V_11, s, vp_1b, vp_1_right)
+    vp_1_lo = vp_1_lo1 + (V_10 * c_lo - V_11 * s_lo)
+    vp_2a = V_20 * c
+    vp_2b = V_21 * s
+    vp_2 = vp_2a - vp_2b
+    vp_2_right = vp_2a - vp_2
+    vp_2_left_rest = product_rest(V_20, c, vp_2a, vp_2 + vp_2_right)
+    vp_2_lo1 = vp_2_left_rest - product_rest(V_21, s, vp_2b, vp_2_right)
+    vp_2_lo = vp_2_lo1 + (V_20 * c_lo - V_21 * s_lo)
+    vq_0a = V_00 * s
+    vq_0b = V_01 * c
+    vq_0 = vq_0a + vq_0b
+    vq_0_right = vq_0 - vq_0a
+    vq_0_left_rest = product_rest(V_00, s, vq_0a, vq_0 - vq_0_right)
+    vq_0_lo1 = vq_0_left_rest + product_rest(V_01, c, vq_0b, vq_0_right)
+    vq_0_lo = vq_0_lo1 + (V_00 * s_lo + V_01 * c_lo)
+    vq_1a = V_10 * s
+    vq_1b = V_11 * c
+    vq_1 = vq_1a + vq_1b
+    vq_1_right = vq_1 - vq_1a
+    vq_1_left_rest = product_rest(V_10, s, vq_1a, vq_1 - vq_1_right)
+    vq_1_lo1 = vq_1_left_rest + product_rest(V_11, c, vq_1b, vq_1_right)
+    vq_1_lo = vq_1_lo1 + (V_10 * s_lo + V_11 * c_lo)
+    vq_2a = V_20 * s
+    vq_2b = V_21 * c
+    vq_2 = vq_2a + vq_2b
+    vq_2_right = vq_2 - vq_2a
+    vq_2_left_rest = product_rest(V_20, s, vq_2a, vq_2 - vq_2_right)
+    vq_2_lo1 = vq_2_left_rest + product_rest(V_21, c, vq_2b, vq_2_right)
+    vq_2_lo = vq_2_lo1 + (V_20 * s_lo + V_21 * c_lo)
+    A_00_new = A_11 + change
+    A_00_new_right = A_00_new - A_11
+    A_00_new_right_rest = product_rest(A_10, t, change, A_00_new_right)
+    A_00_new_lo1 = A_11 - (A_00_new - A_00_new_right) + A_00_new_right_rest
+    A_00_new_lo = A_00_new_lo1 + change_cross2
+    A_22_new = A_00 - change
+    A_22_new_right = A_00 - A_22_new
+    A_22_new_right_rest = product_rest(A_10, t, change, A_22_new_right)
+    A_22_new_lo1 = A_00 - (A_22_new + A_22_new_right) - A_22_new_right_rest
+    A_22_new_lo = A_22_new_lo1 - change_cross2
+    A_00_new_rounded = A_00_new + A_00_new_lo
+    zq_rounded = zq + zq_lo
+    zq_final = where(zq_rounded == zq_rounded, zq_rounded, zq)
+    zp_rounded = zp + zp_lo
+    zp_final = where(zp_rounded == zp_rounded, zp_rounded, zp)
+    A_22_new_rounded = A_22_new + A_22_new_lo
+    vq_0_rounded = vq_0 + vq_0_lo
+    vp_0_rounded = vp_0 + vp_0_lo
+    vq_1_rounded = vq_1 + vq_1_lo
+    vp_1_rounded = vp_1 + vp_1_lo
+    vq_2_rounded = vq_2 + vq_2_lo
+    vp_2_rounded = vp_2 + vp_2_lo
+    return (where(A_00_new_rounded == A_00_new_rounded, A_00_new_rounded, A_00_new), zq_final, 0,
+        zq_final, A_22, zp_final, 0, zp_final,
+        where(A_22_new_rounded == A_22_new_rounded, A_22_new_rounded, A_22_new),
+        where(vq_0_rounded == vq_0_rounded, vq_0_rounded, vq_0), V_02,
+        where(vp_0_rounded == vp_0_rounded, vp_0_rounded, vp_0),
+        where(vq_1_rounded == vq_1_rounded, vq_1_rounded, vq_1), V_12,
+        where(vp_1_rounded == vp_1_rounded, vp_1_rounded, vp_1),
+        where(vq_2_rounded == vq_2_rounded, vq_2_rounded, vq_2), V_22,
+        where(vp_2_rounded == vp_2_rounded, vp_2_rounded, vp_2))
+
+
+@kernel("(3,3)->(),(3)")
+def axis_angle_from_mat3x3(R):
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
+    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
+    rotation; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_0_right = R_21 - p_0
+    p_0_lo = R_21 - (p_0 + p_0_right) - (R_12 - p_0_right)
+    p_1 = R_02 - R_20
+    p_1_right = R_02 - p_1
+    p_1_lo = R_02 - (p_1 + p_1_right) - (R_20 - p_1_right)
+    p_2 = R_10 - R_01
+    p_2_right = R_10 - p_2
+    p_2_lo = R_10 - (p_2 + p_2_right) - (R_01 - p_2_right)
+    s_0 = R_12 + R_21
+    s_0_right = s_0 - R_12
+    s_0_lo = R_12 - (s_0 - s_0_right) + (R_21 - s_0_right)
+    s_1 = R_02 + R_20
+    s_1_right = s_1 - R_02
+    s_1_lo = R_02 - (s_1 - s_1_right) + (R_20 - s_1_right)
+    s_2 = R_01 + R_10
+    s_2_right = s_2 - R_01
+    s_2_lo = R_01 - (s_2 - s_2_right) + (R_10 - s_2_right)
+    first_0 = R_00 + 1
+    first_0_right = first_0 - R_00
+    first_0_lo = R_00 - (first_0 - first_0_right) + (1 - first_0_right)
+    first_1 = 1 - R_00
+    first_1_right = 1 - first_1
+    first_1_lo = 1 - (first_1 + first_1_right) - (R_00 - first_1_right)
+    others_0 = R_11 + R_22
+    others_0_right = others_0 - R_11
+    others_0_lo = R_11 - (others_0 - others_0_right) + (R_22 - others_0_right)
+    others_1 = R_11 - R_22
+    others_1_right = R_11 - others_1
+    others_1_lo = R_11 - (others_1 + others_1_right) - (R_22 - others_1_right)
+    d_0 = first_0 + others_0
+    d_0_right = d_0 - first_0
+    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
+    d_1 = first_0 - others_0
+    d_1_right = first_0 - d_1
+    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
+    d_2 = first_1 + others_1
+    d_2_right = d_2 - first_1
+    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
+    d_3 = first_1 - others_1
+    d_3_right = first_1 - d_3
+    d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_0_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_1_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_2_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
+    high_3_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_0_lo = where(R_22 < 0, low_0_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
+    upper_0b_of_column_3 = column_3 + column_3_lo
+    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
+    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
+    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
+    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
+    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
+    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
+    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
+    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
+    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
+    v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo
+    v_s_size_0_lo = where(v_s_size_0_of_upper_0 < 0, v_s_size_0_opposite, v_s_size_0_of_upper_0_lo)
+    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
+    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
+    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
+    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
+    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
+    v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo
+    v_s_size_1_lo = where(v_s_size_1_of_upper_1 < 0, v_s_size_1_opposite, v_s_size_1_of_upper_1_lo)
+    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
+    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
+    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
+    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
+    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
+    v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo
+    v_s_size_2_lo = where(v_s_size_2_of_upper_2 < 0, v_s_size_2_opposite, v_s_size_2_of_upper_2_lo)
+    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
+    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
+    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
+    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
+    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
+    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
+    v_s_largest1 = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
+    v_s_largest1_lo = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
+    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
+    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
+    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
+    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
+    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
+    v_s_largest2 = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2_lo = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
+    v_s_b = where(6.703903964971299e+153 < v_s_a_of_v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_y_0 = v_s_size_0_of_upper_0 * v_s
+    v_y_0_inverse = 1 / v_s
+    v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse
+    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_s_size_0_of_upper_0_lo) * v_s)
+    v_y_1 = v_s_size_1_of_upper_1 * v_s
+    v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse
+    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_s_size_1_of_upper_1_lo) * v_s)
+    v_y_2 = v_s_size_2_of_upper_2 * v_s
+    v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse
+    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_s_size_2_of_upper_2_lo) * v_s)
+    v_n_a = v_y_0 * v_y_0
+    v_n_b = v_y_1 * v_y_1
+    v_n_c = v_n_a + v_n_b
+    v_n_c_right = v_n_c - v_n_a
+    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+    v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
+    v_n_c_lo1 = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
+    v_n_c_lo = v_n_c_lo1 + v_n_c_cross
+    v_n_d = v_y_2 * v_y_2
+    v_n_e = v_n_c + v_n_d
+    v_n_e_right = v_n_e - v_n_c
+    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+    v_n_e_lo2 = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo)
+    v_n_e_lo = v_n_e_lo2 + v_n_c_lo
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
+    v_n = sqrt(v_n_of_v_n_e)
+    v_n_product = v_n * v_n
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    n_of_v_n = v_n + v_n_lo
+    n_of_v_n_right = n_of_v_n - v_n
+    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
+    n = n_of_v_n * v_r
+    n_lost = n_of_v_n - n * (1 / v_r)
+    n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
+    half_of_n = n + n_lo
+    half_of_n_right = half_of_n - n
+    half_of_upper_3 = upper_3 + upper_3_lo
+    half_of_upper_3_right = half_of_upper_3 - upper_3
+    half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
+    half_of_upper_3_lo = half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right)
+    half = arctan2(half_of_n, half_of_upper_3)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(half_of_upper_3)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_divisor = where(half_most == 0, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = half_of_upper_3 / half_divisor
+    half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
+    half_cross2 = half_part0 * half_of_upper_3_lo
+    half_cross = half_cross1 - half_cross2
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_safe = where(half_most == 0, 1, half_divisor2)
+    half_lo = half_cross / half_safe
+    divisor = where(n_of_v_n == 0, 1, n_of_v_n)
+    divisor_lo = where(n_of_v_n == 0, 0, n_of_v_n_lo)
+    unit_0_of_v_y_0 = v_y_0 + v_y_0_lo
+    unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0
+    unit_0_of_v_y_0_left_rest = v_y_0 - (unit_0_of_v_y_0 - unit_0_of_v_y_0_right)
+    unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + (v_y_0_lo - unit_0_of_v_y_0_right)
+    unit_0_of_divisor = divisor + divisor_lo
+    unit_0_of_divisor_right = unit_0_of_divisor - divisor
+    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
+    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
+    unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor
+    unit_0_product = unit_0 * unit_0_of_divisor
+    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
+    unit_0_exact = unit_0_of_v_y_0 - unit_0_product - unit_0_product_error
+    unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo
+    unit_0_residual = unit_0_numerator - unit_0 * unit_0_of_divisor_lo
+    unit_0_lo = unit_0_residual / unit_0_of_divisor
+    unit_1_of_v_y_1 = v_y_1 + v_y_1_lo
+    unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1
+    unit_1_of_v_y_1_left_rest = v_y_1 - (unit_1_of_v_y_1 - unit_1_of_v_y_1_right)
+    unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + (v_y_1_lo - unit_1_of_v_y_1_right)
+    unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor
+    unit_1_product = unit_1 * unit_0_of_divisor
+    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
+    unit_1_exact = unit_1_of_v_y_1 - unit_1_product - unit_1_product_error
+    unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo
+    unit_1_residual = unit_1_numerator - unit_1 * unit_0_of_divisor_lo
+    unit_1_lo = unit_1_residual / unit_0_of_divisor
+    unit_2_of_v_y_2 = v_y_2 + v_y_2_lo
+    unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2
+    unit_2_of_v_y_2_left_rest = v_y_2 - (unit_2_of_v_y_2 - unit_2_of_v_y_2_right)
+    unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + (v_y_2_lo - unit_2_of_v_y_2_right)
+    unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor
+    unit_2_product = unit_2 * unit_0_of_divisor
+    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    unit_2_exact = unit_2_of_v_y_2 - unit_2_product - unit_2_product_error
+    unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo
+    unit_2_residual = unit_2_numerator - unit_2 * unit_0_of_divisor_lo
+    unit_2_lo = unit_2_residual / unit_0_of_divisor
+    angle = 2 * half
+    angle_cross2 = 2 * half_lo
+    axis_0 = where(n_of_v_n == 0, 1, unit_0)
+    axis_0_lo = where(n_of_v_n == 0, 0, unit_0_lo)
+    angle_rounded = angle + angle_cross2
+    axis_0_rounded = axis_0 + axis_0_lo
+    unit_1_rounded = unit_1 + unit_1_lo
+    unit_2_rounded = unit_2 + unit_2_lo
+    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
+        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
+        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
+        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))

@@ -35,7 +35,7 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 7 less, 3 equal, 10
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -47,7 +47,8 @@ def quaternion_norm(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
@@ -75,7 +76,8 @@ def quaternion_norm(q):
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
@@ -91,7 +93,7 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -103,7 +105,8 @@ def quaternion_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -132,8 +135,11 @@ def quaternion_normalize(self):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -228,7 +234,7 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    33 mul, 80 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 7 less, 10 equal, 18
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
     select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -240,7 +246,8 @@ def quaternion_normalized(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest3 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
@@ -269,8 +276,11 @@ def quaternion_normalized(q):
     n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = q_0 * up
     enlarged_1 = q_1 * up
     enlarged_2 = q_2 * up
@@ -781,7 +791,8 @@ def mat3x3_from_quaternion(q):
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
-    u of its largest component; searched, not proved.
+    u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
+    searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -924,8 +935,8 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    21 mul, 176 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 5 u of its largest component; searched, not proved.
+    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
+    select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -990,14 +1001,19 @@ def quaternion_from_mat3x3(R):
     column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(R_22 < 0, low_3, high_3)
     column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    upper_3_lo = where(column_3 < 0, -column_3_lo, column_3_lo)
+    upper_0b_of_column_3 = column_3 + column_3_lo
+    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
+    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
+    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
+    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
+    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
+    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
+    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
+    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
     length_a = upper_0 * upper_0
     length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
     length_b = upper_1 * upper_1
@@ -1091,22 +1107,37 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    23 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 8 equal, 23 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
+    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 8 equal, 31 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
     searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -1130,7 +1161,8 @@ def axis_angle_from_quaternion(q):
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
@@ -1192,21 +1224,36 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    25 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 5 abs, 8
-    less, 7 equal, 20 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
+    less, 7 equal, 28 select.  Error <= vo: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s = where(v_s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -1230,7 +1277,8 @@ def quaternion_log(q):
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r = where(1 < v_s, 2.409919865102884e-181, v_r_b)
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r

@@ -229,7 +229,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 9 less, 4 equal, 15
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -245,7 +245,8 @@ def screw_norm(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -267,7 +268,8 @@ def screw_norm(si):
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
@@ -283,8 +285,8 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
@@ -299,7 +301,8 @@ def screw_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -322,8 +325,11 @@ def screw_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -458,8 +464,8 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 98 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 9 less, 15 equal, 27
-    select.
+    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
+    28 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
@@ -474,7 +480,8 @@ def screw_normalized(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -497,8 +504,11 @@ def screw_normalized(si):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = si_0 * up
     enlarged_1 = si_1 * up
     enlarged_2 = si_2 * up
@@ -1980,6 +1990,139 @@ def hsta(D, axis):
     so_2_right = so_2 - so_2c
     so_2_lo1 = so_2c - (so_2 - so_2_right) + product_rest(D_22, axis_2, so_2d, so_2_right)
     so_2_lo = so_2_lo1 + so_2c_lo
+    so_0_rounded = so_0 + so_0_lo
+    so_1_rounded = so_1 + so_1_lo
+    so_2_rounded = so_2 + so_2_lo
+    return (so_0_rounded, so_1_rounded, so_2_rounded, 0, 0, 0)
+
+
+@kernel("(3,4),(3)->(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    21 mul, 54 add, 15 product rest, 6 neg.  Error <= u |result| + (lin: 28, ang: 11) u^2 S, S
+    the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0a = D_00 * axis_0
+    a_0b = D_01 * axis_1
+    a_0c = a_0a + a_0b
+    a_0c_right = a_0c - a_0a
+    a_0c_left_rest = product_rest(D_00, axis_0, a_0a, a_0c - a_0c_right)
+    a_0c_lo = a_0c_left_rest + product_rest(D_01, axis_1, a_0b, a_0c_right)
+    a_0d = D_02 * axis_2
+    a_0 = a_0c + a_0d
+    a_0_right = a_0 - a_0c
+    a_0_lo1 = a_0c - (a_0 - a_0_right) + product_rest(D_02, axis_2, a_0d, a_0_right)
+    a_0_lo = a_0_lo1 + a_0c_lo
+    a_1a = D_10 * axis_0
+    a_1b = D_11 * axis_1
+    a_1c = a_1a + a_1b
+    a_1c_right = a_1c - a_1a
+    a_1c_left_rest = product_rest(D_10, axis_0, a_1a, a_1c - a_1c_right)
+    a_1c_lo = a_1c_left_rest + product_rest(D_11, axis_1, a_1b, a_1c_right)
+    a_1d = D_12 * axis_2
+    a_1 = a_1c + a_1d
+    a_1_right = a_1 - a_1c
+    a_1_lo1 = a_1c - (a_1 - a_1_right) + product_rest(D_12, axis_2, a_1d, a_1_right)
+    a_1_lo = a_1_lo1 + a_1c_lo
+    a_2a = D_20 * axis_0
+    a_2b = D_21 * axis_1
+    a_2c = a_2a + a_2b
+    a_2c_right = a_2c - a_2a
+    a_2c_left_rest = product_rest(D_20, axis_0, a_2a, a_2c - a_2c_right)
+    a_2c_lo = a_2c_left_rest + product_rest(D_21, axis_1, a_2b, a_2c_right)
+    a_2d = D_22 * axis_2
+    a_2 = a_2c + a_2d
+    a_2_right = a_2 - a_2c
+    a_2_lo1 = a_2c - (a_2 - a_2_right) + product_rest(D_22, axis_2, a_2d, a_2_right)
+    a_2_lo = a_2_lo1 + a_2c_lo
+    so_0a = D_23 * a_1
+    so_0b = D_13 * a_2
+    so_0 = so_0a - so_0b
+    so_0_right = so_0a - so_0
+    so_0_left_rest = product_rest(D_23, a_1, so_0a, so_0 + so_0_right)
+    so_0_lo1 = so_0_left_rest - product_rest(D_13, a_2, so_0b, so_0_right)
+    so_0_lo = so_0_lo1 + (D_23 * a_1_lo - D_13 * a_2_lo)
+    so_1a = D_03 * a_2
+    so_1b = D_23 * a_0
+    so_1 = so_1a - so_1b
+    so_1_right = so_1a - so_1
+    so_1_left_rest = product_rest(D_03, a_2, so_1a, so_1 + so_1_right)
+    so_1_lo1 = so_1_left_rest - product_rest(D_23, a_0, so_1b, so_1_right)
+    so_1_lo = so_1_lo1 + (D_03 * a_2_lo - D_23 * a_0_lo)
+    so_2a = D_13 * a_0
+    so_2b = D_03 * a_1
+    so_2 = so_2a - so_2b
+    so_2_right = so_2a - so_2
+    so_2_left_rest = product_rest(D_13, a_0, so_2a, so_2 + so_2_right)
+    so_2_lo1 = so_2_left_rest - product_rest(D_03, a_1, so_2b, so_2_right)
+    so_2_lo = so_2_lo1 + (D_13 * a_0_lo - D_03 * a_1_lo)
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    so_0_rounded = so_0 + so_0_lo
+    so_1_rounded = so_1 + so_1_lo
+    so_2_rounded = so_2 + so_2_lo
+    so_3_rounded = so_3 + -a_0_lo
+    so_4_rounded = so_4 + -a_1_lo
+    so_5_rounded = so_5 + -a_2_lo
+    return (so_0_rounded, so_1_rounded, so_2_rounded, so_3_rounded, so_4_rounded, so_5_rounded)
+
+
+@kernel("(3,4),(3)->(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 33 add, 9 product rest, 6 neg.  Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the
+    sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0a = D_00 * axis_0
+    so_0b = D_01 * axis_1
+    so_0c = so_0a + so_0b
+    so_0c_right = so_0c - so_0a
+    so_0c_left_rest = product_rest(D_00, axis_0, so_0a, so_0c - so_0c_right)
+    so_0c_lo = so_0c_left_rest + product_rest(D_01, axis_1, so_0b, so_0c_right)
+    so_0d = D_02 * axis_2
+    so_0e = so_0c + so_0d
+    so_0e_right = so_0e - so_0c
+    so_0e_lo1 = so_0c - (so_0e - so_0e_right) + product_rest(D_02, axis_2, so_0d, so_0e_right)
+    so_0e_lo = so_0e_lo1 + so_0c_lo
+    so_0 = -so_0e
+    so_0_lo = -so_0e_lo
+    so_1a = D_10 * axis_0
+    so_1b = D_11 * axis_1
+    so_1c = so_1a + so_1b
+    so_1c_right = so_1c - so_1a
+    so_1c_left_rest = product_rest(D_10, axis_0, so_1a, so_1c - so_1c_right)
+    so_1c_lo = so_1c_left_rest + product_rest(D_11, axis_1, so_1b, so_1c_right)
+    so_1d = D_12 * axis_2
+    so_1e = so_1c + so_1d
+    so_1e_right = so_1e - so_1c
+    so_1e_lo1 = so_1c - (so_1e - so_1e_right) + product_rest(D_12, axis_2, so_1d, so_1e_right)
+    so_1e_lo = so_1e_lo1 + so_1c_lo
+    so_1 = -so_1e
+    so_1_lo = -so_1e_lo
+    so_2a = D_20 * axis_0
+    so_2b = D_21 * axis_1
+    so_2c = so_2a + so_2b
+    so_2c_right = so_2c - so_2a
+    so_2c_left_rest = product_rest(D_20, axis_0, so_2a, so_2c - so_2c_right)
+    so_2c_lo = so_2c_left_rest + product_rest(D_21, axis_1, so_2b, so_2c_right)
+    so_2d = D_22 * axis_2
+    so_2e = so_2c + so_2d
+    so_2e_right = so_2e - so_2c
+    so_2e_lo1 = so_2c - (so_2e - so_2e_right) + product_rest(D_22, axis_2, so_2d, so_2e_right)
+    so_2e_lo = so_2e_lo1 + so_2c_lo
+    so_2 = -so_2e
+    so_2_lo = -so_2e_lo
     so_0_rounded = so_0 + so_0_lo
     so_1_rounded = so_1 + so_1_lo
     so_2_rounded = so_2 + so_2_lo

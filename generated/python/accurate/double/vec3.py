@@ -179,7 +179,7 @@ def vec3_l2norm(v):
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 6 less, 3 equal, 9
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
     select.
     """
     v_0, v_1, v_2 = v
@@ -189,7 +189,8 @@ def vec3_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
@@ -211,7 +212,8 @@ def vec3_l2norm(v):
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
@@ -227,7 +229,7 @@ def vec3_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
     self_0, self_1, self_2 = self
@@ -237,7 +239,8 @@ def vec3_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -260,8 +263,11 @@ def vec3_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -336,7 +342,7 @@ def vec3_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 62 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 6 less, 8 equal, 15
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
     select.
     """
     v_0, v_1, v_2 = v
@@ -346,7 +352,8 @@ def vec3_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
@@ -369,8 +376,11 @@ def vec3_normalized(v):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor = where(n == 0, up, n)
-    divisor_lo = where(n == 0, 0, n_lo)
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
     enlarged_0 = v_0 * up
     enlarged_1 = v_1 * up
     enlarged_2 = v_2 * up
@@ -442,8 +452,8 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 95 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 11 abs, 15 less, 7
-    equal, 23 select.
+    42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
+    less, 7 equal, 32 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -453,7 +463,8 @@ def angle_vv(v1, v2):
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
     s1b = where(6.703903964971299e+153 < s1_largest2, float64(3.7291703656001034e-155), float64(1))
-    s1 = where(s1_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s1b)
+    s1d = where(s1_largest2 < 256, 1.3093562431584567e+151, s1b)
+    s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
     scaled_s1_2 = v1_2 * s1
@@ -463,7 +474,8 @@ def angle_vv(v1, v2):
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
     s2b = where(6.703903964971299e+153 < s2_largest2, float64(3.7291703656001034e-155), float64(1))
-    s2 = where(s2_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s2b)
+    s2d = where(s2_largest2 < 256, 1.3093562431584567e+151, s2b)
+    s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
     scaled_s2_2 = v2_2 * s2
@@ -485,35 +497,66 @@ def angle_vv(v1, v2):
     c_2_right = c_2a - c_2
     c_2_left_rest = product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_2_right)
     c_2_lo = c_2_left_rest - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right)
-    s_size_0 = absolute(c_0)
-    s_size_1 = absolute(c_1)
-    s_size_2 = absolute(c_2)
-    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
-    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s = where(s_largest2 < 3.4395525670743494e-136, 4.149515568880993e+180, s_b)
-    y_0_of_c_0 = c_0 + c_0_lo
-    y_0_of_c_0_right = y_0_of_c_0 - c_0
-    y_0 = y_0_of_c_0 * s
+    s_size_0_of_c_0 = c_0 + c_0_lo
+    s_size_0_of_c_0_right = s_size_0_of_c_0 - c_0
+    s_size_0_of_c_0_left_rest = c_0 - (s_size_0_of_c_0 - s_size_0_of_c_0_right)
+    s_size_0_of_c_0_lo = s_size_0_of_c_0_left_rest + (c_0_lo - s_size_0_of_c_0_right)
+    s_size_0 = absolute(s_size_0_of_c_0)
+    s_size_0_lo = where(s_size_0_of_c_0 < 0, -s_size_0_of_c_0_lo, s_size_0_of_c_0_lo)
+    s_size_1_of_c_1 = c_1 + c_1_lo
+    s_size_1_of_c_1_right = s_size_1_of_c_1 - c_1
+    s_size_1_of_c_1_left_rest = c_1 - (s_size_1_of_c_1 - s_size_1_of_c_1_right)
+    s_size_1_of_c_1_lo = s_size_1_of_c_1_left_rest + (c_1_lo - s_size_1_of_c_1_right)
+    s_size_1 = absolute(s_size_1_of_c_1)
+    s_size_1_lo = where(s_size_1_of_c_1 < 0, -s_size_1_of_c_1_lo, s_size_1_of_c_1_lo)
+    s_size_2_of_c_2 = c_2 + c_2_lo
+    s_size_2_of_c_2_right = s_size_2_of_c_2 - c_2
+    s_size_2_of_c_2_left_rest = c_2 - (s_size_2_of_c_2 - s_size_2_of_c_2_right)
+    s_size_2_of_c_2_lo = s_size_2_of_c_2_left_rest + (c_2_lo - s_size_2_of_c_2_right)
+    s_size_2 = absolute(s_size_2_of_c_2)
+    s_size_2_lo = where(s_size_2_of_c_2 < 0, -s_size_2_of_c_2_lo, s_size_2_of_c_2_lo)
+    s_largest1a_of_s_size_0 = s_size_0 + s_size_0_lo
+    s_largest1a_of_s_size_0_right = s_largest1a_of_s_size_0 - s_size_0
+    s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right
+    s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left
+    s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right
+    s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest
+    s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo
+    s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1
+    s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right
+    s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left
+    s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right
+    s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest
+    s_largest1 = where(s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1, s_largest1a_of_s_size_1, s_largest1a_of_s_size_0)
+    s_largest1_lo = where(s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1, s_largest1a_of_s_size_1_lo, s_largest1a_of_s_size_0_lo)
+    s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo
+    s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1
+    s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right
+    s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left
+    s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right
+    s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest
+    s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo
+    s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2
+    s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right
+    s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left
+    s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right
+    s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest
+    s_largest2 = where(s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2, s_largest2a_of_s_size_2, s_largest2a_of_s_largest1)
+    s_largest2_lo = where(s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2, s_largest2a_of_s_size_2_lo, s_largest2a_of_s_largest1_lo)
+    s_a_of_s_largest2 = s_largest2 + s_largest2_lo
+    s_b = where(6.703903964971299e+153 < s_a_of_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s_d = where(s_a_of_s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s = where(s_a_of_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    y_0 = s_size_0_of_c_0 * s
     y_0_inverse = 1 / s
-    y_0_lost = y_0_of_c_0 - y_0 * y_0_inverse
-    y_0_rest = y_0_lost + (c_0 - (y_0_of_c_0 - y_0_of_c_0_right) + (c_0_lo - y_0_of_c_0_right))
-    y_0_small = y_0_rest * s
-    y_0_lo = where(y_0_lost == 0, 0, y_0_small)
-    y_1_of_c_1 = c_1 + c_1_lo
-    y_1_of_c_1_right = y_1_of_c_1 - c_1
-    y_1 = y_1_of_c_1 * s
-    y_1_lost = y_1_of_c_1 - y_1 * y_0_inverse
-    y_1_rest = y_1_lost + (c_1 - (y_1_of_c_1 - y_1_of_c_1_right) + (c_1_lo - y_1_of_c_1_right))
-    y_1_small = y_1_rest * s
-    y_1_lo = where(y_1_lost == 0, 0, y_1_small)
-    y_2_of_c_2 = c_2 + c_2_lo
-    y_2_of_c_2_right = y_2_of_c_2 - c_2
-    y_2 = y_2_of_c_2 * s
-    y_2_lost = y_2_of_c_2 - y_2 * y_0_inverse
-    y_2_rest = y_2_lost + (c_2 - (y_2_of_c_2 - y_2_of_c_2_right) + (c_2_lo - y_2_of_c_2_right))
-    y_2_small = y_2_rest * s
-    y_2_lo = where(y_2_lost == 0, 0, y_2_small)
+    y_0_lost = s_size_0_of_c_0 - y_0 * y_0_inverse
+    y_0_lo = where(y_0_lost == 0, 0, (y_0_lost + s_size_0_of_c_0_lo) * s)
+    y_1 = s_size_1_of_c_1 * s
+    y_1_lost = s_size_1_of_c_1 - y_1 * y_0_inverse
+    y_1_lo = where(y_1_lost == 0, 0, (y_1_lost + s_size_1_of_c_1_lo) * s)
+    y_2 = s_size_2_of_c_2 * s
+    y_2_lost = s_size_2_of_c_2 - y_2 * y_0_inverse
+    y_2_lo = where(y_2_lost == 0, 0, (y_2_lost + s_size_2_of_c_2_lo) * s)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -534,7 +577,8 @@ def angle_vv(v1, v2):
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r = where(1 < s, 2.409919865102884e-181, r_b)
+    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     cross_of_n = n + n_lo
     cross_of_n_right = cross_of_n - n
     cross = cross_of_n * r

@@ -72,28 +72,28 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.
     """
 
 def vec3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def vec3_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
 
 def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -183,12 +183,113 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...
     barring over- and underflow.
     """
 
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = a self.
+
+    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+    4 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = k v.
+
+    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+    4 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
+    barring over- and underflow.
+    """
+
+def vec4_l2norm(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """|v| = sqrt(v·v), all four components.
+
+    (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    """
+
+def vec4_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self / |self|; the zero vector stays zero.
+
+    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    """
+
+def vec4_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """vo = v / |v|; the zero vector stays zero.
+
+    (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
     9 mul, 5 add.  Error <= u |result| + 5/32 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
+    """
+
+def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
+    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
+    cofactor and of det R; barring over- and underflow.
+    """
+
+def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    12 mul, 10 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
+    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
+    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
+    before| <= 12 u max |A| for orthonormal V; searched, not proved.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -597,21 +698,21 @@ def screw_norm(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def screw_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -796,6 +897,24 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -
     the expanded formula; barring over- and underflow.
     """
 
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
@@ -856,21 +975,21 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArra
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
 
 def coscrew_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1157,21 +1276,21 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDAr
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
 def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1218,7 +1337,8 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1226,7 +1346,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
-    component; searched, not proved.
+    component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1234,7 +1354,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
 
@@ -1243,7 +1363,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
 
@@ -1251,8 +1371,8 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
+    vo: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1260,8 +1380,8 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, 
     turns.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

@@ -146,7 +146,7 @@ def coscrew_norm(ci):
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 9.999999974752427e-07, float64(1), float64(0))
@@ -161,13 +161,15 @@ def coscrew_norm(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -177,7 +179,7 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_2) < 9.999999974752427e-07, float64(1), float64(0))
@@ -192,7 +194,8 @@ def coscrew_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -226,7 +229,7 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 9.999999974752427e-07, float64(1), float64(0))
@@ -241,7 +244,8 @@ def coscrew_normalized(ci):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s

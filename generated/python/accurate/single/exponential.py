@@ -15,8 +15,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 23 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
+    vo: 5 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -55,13 +55,15 @@ def SO3_log(R):
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -71,70 +73,6 @@ def SO3_log(R):
     vector_1 = upper_1 * k
     vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
-
-
-@kernel("(3,3)->(),(3)")
-def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
-
-    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 10 less, 1 equal, 24 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component; searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    p_0 = R_21 - R_12
-    p_1 = R_02 - R_20
-    p_2 = R_10 - R_01
-    s_0 = R_12 + R_21
-    s_1 = R_02 + R_20
-    s_2 = R_01 + R_10
-    first_0 = R_00 + 1
-    first_1 = 1 - R_00
-    others_0 = R_11 + R_22
-    others_1 = R_11 - R_22
-    d_0 = first_0 + others_0
-    d_1 = first_0 - others_0
-    d_2 = first_1 + others_1
-    d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
-    v_s_size_0 = absolute(upper_0)
-    v_s_size_1 = absolute(upper_1)
-    v_s_size_2 = absolute(upper_2)
-    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
-    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
-    v_y_0 = upper_0 * v_s
-    v_y_1 = upper_1 * v_s
-    v_y_2 = upper_2 * v_s
-    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
-    n = v_n * v_r
-    half = arctan2(n, upper_3)
-    divisor = where(v_n == 0, 1, v_n)
-    unit_0 = v_y_0 / divisor
-    unit_1 = v_y_1 / divisor
-    unit_2 = v_y_2 / divisor
-    angle = 2 * half
-    axis_0 = where(v_n == 0, 1, unit_0)
-    return (angle, axis_0, unit_1, unit_2)
 
 
 @kernel("(3,3)->(3,3)")

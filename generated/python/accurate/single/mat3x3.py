@@ -6,6 +6,7 @@
 In single precision, accurate tier.
 """
 
+from numpy import absolute, arctan2, float64, nan, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -23,3 +24,473 @@ def mat3x3_determinant(R):
     n_2 = R_01 * R_12 - R_02 * R_11
     det = R_00 * n_0 + R_10 * n_1 + R_20 * n_2
     return det
+
+
+@kernel("(3,3)->(),(3,3)")
+def mat3x3_inverse(R):
+    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
+    u times the sum of its terms' sizes), and Ro = NaN.
+
+    (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
+    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
+    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
+    cofactor and of det R; barring over- and underflow.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n0_0 = R_11 * R_22 - R_12 * R_21
+    n0_1 = R_02 * R_21 - R_01 * R_22
+    n0_2 = R_01 * R_12 - R_02 * R_11
+    n1_0 = R_12 * R_20 - R_10 * R_22
+    n1_1 = R_00 * R_22 - R_02 * R_20
+    n1_2 = R_02 * R_10 - R_00 * R_12
+    n2_0 = R_10 * R_21 - R_11 * R_20
+    n2_1 = R_01 * R_20 - R_00 * R_21
+    n2_2 = R_00 * R_11 - R_01 * R_10
+    d = R_00 * n0_0 + R_10 * n0_1 + R_20 * n0_2
+    size0_0 = absolute(R_00)
+    size0_1 = absolute(R_10)
+    size0_2 = absolute(R_20)
+    size1_0 = absolute(R_01)
+    size1_1 = absolute(R_11)
+    size1_2 = absolute(R_21)
+    size2_0 = absolute(R_02)
+    size2_1 = absolute(R_12)
+    size2_2 = absolute(R_22)
+    permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
+    permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
+    permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
+    least = permanent * 4.76837158203125e-07 + 1.262177448353619e-29
+    regular = where(least < absolute(d), float64(1), float64(0))
+    divisor = where(regular == 1, d, 1)
+    det = where(regular == 1, d, 0)
+    Ro_00 = where(regular == 1, n0_0 / divisor, nan)
+    Ro_01 = where(regular == 1, n0_1 / divisor, nan)
+    Ro_02 = where(regular == 1, n0_2 / divisor, nan)
+    Ro_10 = where(regular == 1, n1_0 / divisor, nan)
+    Ro_11 = where(regular == 1, n1_1 / divisor, nan)
+    Ro_12 = where(regular == 1, n1_2 / divisor, nan)
+    Ro_20 = where(regular == 1, n2_0 / divisor, nan)
+    Ro_21 = where(regular == 1, n2_1 / divisor, nan)
+    Ro_22 = where(regular == 1, n2_2 / divisor, nan)
+    return (det, Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_normalize(self):
+    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+    self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
+    q0_s_size_0 = absolute(self_00)
+    q0_s_size_1 = absolute(self_01)
+    q0_s_size_2 = absolute(self_02)
+    q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
+    q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
+    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float64(2.710505431213761e-20), float64(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
+    q0_y_0 = self_00 * q0_s
+    q0_y_1 = self_01 * q0_s
+    q0_y_2 = self_02 * q0_s
+    q0_up = where(1 < q0_s, q0_s, 1)
+    q0_down = where(q0_s < 1, q0_s, 1)
+    q0_n = sqrt(q0_y_0 * q0_y_0 + q0_y_1 * q0_y_1 + q0_y_2 * q0_y_2)
+    q0_divisor = where(q0_n == 0, q0_up, q0_n)
+    q0_enlarged_0 = self_00 * q0_up
+    q0_enlarged_1 = self_01 * q0_up
+    q0_enlarged_2 = self_02 * q0_up
+    q0_quotient_0 = q0_enlarged_0 / q0_divisor
+    q0_quotient_1 = q0_enlarged_1 / q0_divisor
+    q0_quotient_2 = q0_enlarged_2 / q0_divisor
+    q0_0 = q0_quotient_0 * q0_down
+    q0_1 = q0_quotient_1 * q0_down
+    q0_2 = q0_quotient_2 * q0_down
+    u1_s_size_0 = absolute(self_10)
+    u1_s_size_1 = absolute(self_11)
+    u1_s_size_2 = absolute(self_12)
+    u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
+    u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
+    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
+    u1_y_0 = self_10 * u1_s
+    u1_y_1 = self_11 * u1_s
+    u1_y_2 = self_12 * u1_s
+    u1_up = where(1 < u1_s, u1_s, 1)
+    u1_down = where(u1_s < 1, u1_s, 1)
+    u1_n = sqrt(u1_y_0 * u1_y_0 + u1_y_1 * u1_y_1 + u1_y_2 * u1_y_2)
+    u1_divisor = where(u1_n == 0, u1_up, u1_n)
+    u1_enlarged_0 = self_10 * u1_up
+    u1_enlarged_1 = self_11 * u1_up
+    u1_enlarged_2 = self_12 * u1_up
+    u1_quotient_0 = u1_enlarged_0 / u1_divisor
+    u1_quotient_1 = u1_enlarged_1 / u1_divisor
+    u1_quotient_2 = u1_enlarged_2 / u1_divisor
+    u1_0 = u1_quotient_0 * u1_down
+    u1_1 = u1_quotient_1 * u1_down
+    u1_2 = u1_quotient_2 * u1_down
+    along = q0_0 * u1_0 + q0_1 * u1_1 + q0_2 * u1_2
+    once_0 = u1_0 - q0_0 * along
+    once_1 = u1_1 - q0_1 * along
+    once_2 = u1_2 - q0_2 * along
+    rest = q0_0 * once_0 + q0_1 * once_1 + q0_2 * once_2
+    twice_0 = once_0 - q0_0 * rest
+    twice_1 = once_1 - q0_1 * rest
+    twice_2 = once_2 - q0_2 * rest
+    n = sqrt(twice_0 * twice_0 + twice_1 * twice_1 + twice_2 * twice_2)
+    divisor = where(n == 0, 1, n)
+    q1_0 = twice_0 / divisor
+    q1_1 = twice_1 / divisor
+    q1_2 = twice_2 / divisor
+    normal_0 = q0_1 * q1_2 - q0_2 * q1_1
+    normal_1 = q0_2 * q1_0 - q0_0 * q1_2
+    normal_2 = q0_0 * q1_1 - q0_1 * q1_0
+    u2_s_size_0 = absolute(self_20)
+    u2_s_size_1 = absolute(self_21)
+    u2_s_size_2 = absolute(self_22)
+    u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
+    u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
+    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
+    u2_y_0 = self_20 * u2_s
+    u2_y_1 = self_21 * u2_s
+    u2_y_2 = self_22 * u2_s
+    u2_up = where(1 < u2_s, u2_s, 1)
+    u2_down = where(u2_s < 1, u2_s, 1)
+    u2_n = sqrt(u2_y_0 * u2_y_0 + u2_y_1 * u2_y_1 + u2_y_2 * u2_y_2)
+    u2_divisor = where(u2_n == 0, u2_up, u2_n)
+    u2_enlarged_0 = self_20 * u2_up
+    u2_enlarged_1 = self_21 * u2_up
+    u2_enlarged_2 = self_22 * u2_up
+    u2_quotient_0 = u2_enlarged_0 / u2_divisor
+    u2_quotient_1 = u2_enlarged_1 / u2_divisor
+    u2_quotient_2 = u2_enlarged_2 / u2_divisor
+    u2_0 = u2_quotient_0 * u2_down
+    u2_1 = u2_quotient_1 * u2_down
+    u2_2 = u2_quotient_2 * u2_down
+    side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
+    q2_0 = where(side < 0, -normal_0, normal_0)
+    q2_1 = where(side < 0, -normal_1, normal_1)
+    q2_2 = where(side < 0, -normal_2, normal_2)
+    size = absolute(side)
+    less = where(n < size, n, size)
+    dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
+    self_00_new = where(dependent == 1, nan, q0_0)
+    self_01_new = where(dependent == 1, nan, q0_1)
+    self_02_new = where(dependent == 1, nan, q0_2)
+    self_10_new = where(dependent == 1, nan, q1_0)
+    self_11_new = where(dependent == 1, nan, q1_1)
+    self_12_new = where(dependent == 1, nan, q1_2)
+    self_20_new = where(dependent == 1, nan, q2_0)
+    self_21_new = where(dependent == 1, nan, q2_1)
+    self_22_new = where(dependent == 1, nan, q2_2)
+    return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
+        self_20_new, self_21_new, self_22_new)
+
+
+@kernel("(3,3)->(3,3)")
+def mat3x3_normalized(R):
+    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
+    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+
+    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
+    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    q0_s_size_0 = absolute(R_00)
+    q0_s_size_1 = absolute(R_01)
+    q0_s_size_2 = absolute(R_02)
+    q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
+    q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
+    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float64(2.710505431213761e-20), float64(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
+    q0_y_0 = R_00 * q0_s
+    q0_y_1 = R_01 * q0_s
+    q0_y_2 = R_02 * q0_s
+    q0_up = where(1 < q0_s, q0_s, 1)
+    q0_down = where(q0_s < 1, q0_s, 1)
+    q0_n = sqrt(q0_y_0 * q0_y_0 + q0_y_1 * q0_y_1 + q0_y_2 * q0_y_2)
+    q0_divisor = where(q0_n == 0, q0_up, q0_n)
+    q0_enlarged_0 = R_00 * q0_up
+    q0_enlarged_1 = R_01 * q0_up
+    q0_enlarged_2 = R_02 * q0_up
+    q0_quotient_0 = q0_enlarged_0 / q0_divisor
+    q0_quotient_1 = q0_enlarged_1 / q0_divisor
+    q0_quotient_2 = q0_enlarged_2 / q0_divisor
+    q0_0 = q0_quotient_0 * q0_down
+    q0_1 = q0_quotient_1 * q0_down
+    q0_2 = q0_quotient_2 * q0_down
+    u1_s_size_0 = absolute(R_10)
+    u1_s_size_1 = absolute(R_11)
+    u1_s_size_2 = absolute(R_12)
+    u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
+    u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
+    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
+    u1_y_0 = R_10 * u1_s
+    u1_y_1 = R_11 * u1_s
+    u1_y_2 = R_12 * u1_s
+    u1_up = where(1 < u1_s, u1_s, 1)
+    u1_down = where(u1_s < 1, u1_s, 1)
+    u1_n = sqrt(u1_y_0 * u1_y_0 + u1_y_1 * u1_y_1 + u1_y_2 * u1_y_2)
+    u1_divisor = where(u1_n == 0, u1_up, u1_n)
+    u1_enlarged_0 = R_10 * u1_up
+    u1_enlarged_1 = R_11 * u1_up
+    u1_enlarged_2 = R_12 * u1_up
+    u1_quotient_0 = u1_enlarged_0 / u1_divisor
+    u1_quotient_1 = u1_enlarged_1 / u1_divisor
+    u1_quotient_2 = u1_enlarged_2 / u1_divisor
+    u1_0 = u1_quotient_0 * u1_down
+    u1_1 = u1_quotient_1 * u1_down
+    u1_2 = u1_quotient_2 * u1_down
+    along = q0_0 * u1_0 + q0_1 * u1_1 + q0_2 * u1_2
+    once_0 = u1_0 - q0_0 * along
+    once_1 = u1_1 - q0_1 * along
+    once_2 = u1_2 - q0_2 * along
+    rest = q0_0 * once_0 + q0_1 * once_1 + q0_2 * once_2
+    twice_0 = once_0 - q0_0 * rest
+    twice_1 = once_1 - q0_1 * rest
+    twice_2 = once_2 - q0_2 * rest
+    n = sqrt(twice_0 * twice_0 + twice_1 * twice_1 + twice_2 * twice_2)
+    divisor = where(n == 0, 1, n)
+    q1_0 = twice_0 / divisor
+    q1_1 = twice_1 / divisor
+    q1_2 = twice_2 / divisor
+    normal_0 = q0_1 * q1_2 - q0_2 * q1_1
+    normal_1 = q0_2 * q1_0 - q0_0 * q1_2
+    normal_2 = q0_0 * q1_1 - q0_1 * q1_0
+    u2_s_size_0 = absolute(R_20)
+    u2_s_size_1 = absolute(R_21)
+    u2_s_size_2 = absolute(R_22)
+    u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
+    u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
+    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
+    u2_y_0 = R_20 * u2_s
+    u2_y_1 = R_21 * u2_s
+    u2_y_2 = R_22 * u2_s
+    u2_up = where(1 < u2_s, u2_s, 1)
+    u2_down = where(u2_s < 1, u2_s, 1)
+    u2_n = sqrt(u2_y_0 * u2_y_0 + u2_y_1 * u2_y_1 + u2_y_2 * u2_y_2)
+    u2_divisor = where(u2_n == 0, u2_up, u2_n)
+    u2_enlarged_0 = R_20 * u2_up
+    u2_enlarged_1 = R_21 * u2_up
+    u2_enlarged_2 = R_22 * u2_up
+    u2_quotient_0 = u2_enlarged_0 / u2_divisor
+    u2_quotient_1 = u2_enlarged_1 / u2_divisor
+    u2_quotient_2 = u2_enlarged_2 / u2_divisor
+    u2_0 = u2_quotient_0 * u2_down
+    u2_1 = u2_quotient_1 * u2_down
+    u2_2 = u2_quotient_2 * u2_down
+    side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
+    q2_0 = where(side < 0, -normal_0, normal_0)
+    q2_1 = where(side < 0, -normal_1, normal_1)
+    q2_2 = where(side < 0, -normal_2, normal_2)
+    size = absolute(side)
+    less = where(n < size, n, size)
+    dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
+    Ro_00 = where(dependent == 1, nan, q0_0)
+    Ro_01 = where(dependent == 1, nan, q0_1)
+    Ro_02 = where(dependent == 1, nan, q0_2)
+    Ro_10 = where(dependent == 1, nan, q1_0)
+    Ro_11 = where(dependent == 1, nan, q1_1)
+    Ro_12 = where(dependent == 1, nan, q1_2)
+    Ro_20 = where(dependent == 1, nan, q2_0)
+    Ro_21 = where(dependent == 1, nan, q2_1)
+    Ro_22 = where(dependent == 1, nan, q2_2)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
+
+
+@kernel("(3),(2)->(3,3)")
+def mat3x3_setFromAxisDC(axis, dc):
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+
+    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
+    12 mul, 10 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    axis_0, axis_1, axis_2 = axis
+    dc_0, dc_1 = dc
+    versine = 1 - dc_1
+    versine_axis_0 = axis_0 * versine
+    versine_axis_1 = axis_1 * versine
+    versine_axis_2 = axis_2 * versine
+    m_0 = axis_0 * versine_axis_0
+    m_1 = axis_1 * versine_axis_1
+    m_2 = axis_2 * versine_axis_2
+    m_3 = axis_1 * versine_axis_0
+    m_4 = axis_2 * versine_axis_0
+    m_5 = axis_2 * versine_axis_1
+    sine_axis_0 = axis_0 * dc_0
+    sine_axis_1 = axis_1 * dc_0
+    sine_axis_2 = axis_2 * dc_0
+    R_00 = dc_1 + m_0
+    R_01 = m_3 - sine_axis_2
+    R_02 = m_4 + sine_axis_1
+    R_10 = m_3 + sine_axis_2
+    R_11 = dc_1 + m_1
+    R_12 = m_5 - sine_axis_0
+    R_20 = m_4 - sine_axis_1
+    R_21 = m_5 + sine_axis_0
+    R_22 = dc_1 + m_2
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+
+
+@kernel("(3,3)->(3)")
+def euler_xyz_from_mat3x3(R):
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
+    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n = sqrt(R_00 * R_00 + R_01 * R_01)
+    divisor = where(n == 0, 1, n)
+    cosine = where(n == 0, 1, R_00 / divisor)
+    sine_a = -R_01
+    sine = sine_a / divisor
+    polar = arctan2(sine_a, R_00)
+    third = where(n == 0, 0, polar)
+    left_1 = R_10 * sine + R_11 * cosine
+    left_2 = R_20 * sine + R_21 * cosine
+    angles_0 = arctan2(left_2, left_1)
+    angles_1 = arctan2(R_02, n)
+    return (angles_0, angles_1, third)
+
+
+@kernel("(3,3)->(3)")
+def euler_xyx_from_mat3x3(R):
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock.
+
+    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
+    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    n = sqrt(R_01 * R_01 + R_02 * R_02)
+    divisor = where(n == 0, 1, n)
+    cosine = where(n == 0, 1, R_02 / divisor)
+    sine = R_01 / divisor
+    polar = arctan2(R_01, R_02)
+    third = where(n == 0, 0, polar)
+    left_1 = R_11 * cosine - R_12 * sine
+    left_2 = R_21 * cosine - R_22 * sine
+    angles_0 = arctan2(left_2, left_1)
+    angles_1 = arctan2(n, R_00)
+    return (angles_0, angles_1, third)
+
+
+@kernel("(3,3),(3,3)->(3,3),(3,3)")
+def mat3x3_jacobi(A, V):
+    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
+    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+
+    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
+    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    """
+    A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
+    V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
+    twice = 2 * A_10
+    apart = A_11 - A_00
+    divisor = where(twice == 0, 1, twice)
+    theta = apart / divisor
+    absolute = absolute(theta)
+    size = absolute + sqrt(1 + theta * theta)
+    along = where(theta < 0, -size, size)
+    t = where(twice == 0, 0, 1 / along)
+    secant = sqrt(1 + t * t)
+    c = 1 / secant
+    s = t * c
+    change = A_10 * t
+    zp = A_20 * c - A_21 * s
+    zq = A_20 * s + A_21 * c
+    vp_0 = V_00 * c - V_01 * s
+    vp_1 = V_10 * c - V_11 * s
+    vp_2 = V_20 * c - V_21 * s
+    vq_0 = V_00 * s + V_01 * c
+    vq_1 = V_10 * s + V_11 * c
+    vq_2 = V_20 * s + V_21 * c
+    A_00_new = A_11 + change
+    A_22_new = A_00 - change
+    return (A_00_new, zq, 0, zq, A_22, zp, 0, zp, A_22_new, vq_0, V_02, vp_0, vq_1, V_12, vp_1,
+        vq_2, V_22, vp_2)
+
+
+@kernel("(3,3)->(),(3)")
+def axis_angle_from_mat3x3(R):
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
+    turns.
+
+    (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
+    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
+    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
+    """
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    p_0 = R_21 - R_12
+    p_1 = R_02 - R_20
+    p_2 = R_10 - R_01
+    s_0 = R_12 + R_21
+    s_1 = R_02 + R_20
+    s_2 = R_01 + R_10
+    first_0 = R_00 + 1
+    first_1 = 1 - R_00
+    others_0 = R_11 + R_22
+    others_1 = R_11 - R_22
+    d_0 = first_0 + others_0
+    d_1 = first_0 - others_0
+    d_2 = first_1 + others_1
+    d_3 = first_1 - others_1
+    low_0 = where(R_11 < R_00, d_1, s_2)
+    low_1 = where(R_11 < R_00, s_2, d_2)
+    low_2 = where(R_11 < R_00, s_1, s_0)
+    low_3 = where(R_11 < R_00, p_0, p_1)
+    high_0 = where(R_00 < -R_11, s_1, p_0)
+    high_1 = where(R_00 < -R_11, s_0, p_1)
+    high_2 = where(R_00 < -R_11, d_3, p_2)
+    high_3 = where(R_00 < -R_11, p_2, d_0)
+    column_0 = where(R_22 < 0, low_0, high_0)
+    column_1 = where(R_22 < 0, low_1, high_1)
+    column_2 = where(R_22 < 0, low_2, high_2)
+    column_3 = where(R_22 < 0, low_3, high_3)
+    upper_0 = where(column_3 < 0, -column_0, column_0)
+    upper_1 = where(column_3 < 0, -column_1, column_1)
+    upper_2 = where(column_3 < 0, -column_2, column_2)
+    upper_3 = where(column_3 < 0, -column_3, column_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
+    n = v_n * v_r
+    half = arctan2(n, upper_3)
+    divisor = where(v_n == 0, 1, v_n)
+    unit_0 = v_y_0 / divisor
+    unit_1 = v_y_1 / divisor
+    unit_2 = v_y_2 / divisor
+    angle = 2 * half
+    axis_0 = where(v_n == 0, 1, unit_0)
+    return (angle, axis_0, unit_1, unit_2)

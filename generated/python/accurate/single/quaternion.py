@@ -31,7 +31,7 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 7 less, 7 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -42,14 +42,16 @@ def quaternion_norm(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -59,7 +61,7 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -70,7 +72,8 @@ def quaternion_normalize(self):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -99,7 +102,7 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 7 less, 1 equal, 8 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -110,7 +113,8 @@ def quaternion_normalized(q):
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
     s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest3 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
@@ -240,7 +244,8 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -289,7 +294,7 @@ def quaternion_from_mat3x3(R):
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
-    component; searched, not proved.
+    component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -336,27 +341,43 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    8 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 12 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
     angle: 5 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
@@ -374,27 +395,43 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    11 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 3 abs, 7 less, 1 equal, 11 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
     vo: 5 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
-    upper_0 = where(q_3 < 0, -q_0, q_0)
-    upper_1 = where(q_3 < 0, -q_1, q_1)
-    upper_2 = where(q_3 < 0, -q_2, q_2)
-    upper_3 = where(q_3 < 0, -q_3, q_3)
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float64(2.710505431213761e-20), float64(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_1 = q_1 * s
+    scaled_s_2 = q_2 * s
+    scaled_s_3 = q_3 * s
+    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
+    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
+    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
+    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s = where(v_s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, v_s_b)
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
     v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r = where(1 < v_s, 7.888609052210118e-31, v_r_b)
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)

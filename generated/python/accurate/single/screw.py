@@ -146,7 +146,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    7 mul, 2 add, 1 sqrt, 6 abs, 9 less, 1 equal, 12 select.
+    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 9.999999974752427e-07, float64(1), float64(0))
@@ -161,13 +161,15 @@ def screw_norm(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -177,7 +179,7 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_c = where(absolute(self_5) < 9.999999974752427e-07, float64(1), float64(0))
@@ -192,7 +194,8 @@ def screw_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -226,7 +229,7 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 9 less, 2 equal, 13 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 9.999999974752427e-07, float64(1), float64(0))
@@ -241,7 +244,8 @@ def screw_normalized(si):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -669,4 +673,44 @@ def hsta(D, axis):
     so_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
     so_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
     so_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
+    return (so_0, so_1, so_2, 0, 0, 0)
+
+
+@kernel("(3,4),(3)->(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    15 mul, 9 add, 3 neg.  Error <= u |result| + (lin: 5/32, ang: 3/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
+    a_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
+    a_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
+    so_0 = D_23 * a_1 - D_13 * a_2
+    so_1 = D_03 * a_2 - D_23 * a_0
+    so_2 = D_13 * a_0 - D_03 * a_1
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    return (so_0, so_1, so_2, so_3, so_4, so_5)
+
+
+@kernel("(3,4),(3)->(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame.
+
+    (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
+    m/s; ω in rad/s).
+    9 mul, 6 add, 3 neg.  Error <= u |result| + (lin: 3/32, ang: 0) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0 = -(D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2)
+    so_1 = -(D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2)
+    so_2 = -(D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2)
     return (so_0, so_1, so_2, 0, 0, 0)

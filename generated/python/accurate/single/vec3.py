@@ -140,7 +140,7 @@ def vec3_l2norm(v):
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    7 mul, 2 add, 1 sqrt, 3 abs, 6 less, 6 select.
+    7 mul, 2 add, 1 sqrt, 3 abs, 8 less, 8 select.
     """
     v_0, v_1, v_2 = v
     s_size_0 = absolute(v_0)
@@ -149,13 +149,15 @@ def vec3_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -165,7 +167,7 @@ def vec3_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
     self_0, self_1, self_2 = self
     s_size_0 = absolute(self_0)
@@ -174,7 +176,8 @@ def vec3_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -199,7 +202,7 @@ def vec3_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 6 less, 1 equal, 7 select.
+    12 mul, 2 add, 3 div, 1 sqrt, 3 abs, 7 less, 1 equal, 8 select.
     """
     v_0, v_1, v_2 = v
     s_size_0 = absolute(v_0)
@@ -208,7 +211,8 @@ def vec3_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
@@ -233,7 +237,7 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 14 less, 14 select.
+    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -243,7 +247,8 @@ def angle_vv(v1, v2):
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
     s1b = where(4.611686018427388e+18 < s1_largest2, float64(2.710505431213761e-20), float64(1))
-    s1 = where(s1_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s1b)
+    s1d = where(s1_largest2 < 256, 1.8014398509481984e+16, s1b)
+    s1 = where(s1_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
     scaled_s1_2 = v1_2 * s1
@@ -253,7 +258,8 @@ def angle_vv(v1, v2):
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
     s2b = where(4.611686018427388e+18 < s2_largest2, float64(2.710505431213761e-20), float64(1))
-    s2 = where(s2_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s2b)
+    s2d = where(s2_largest2 < 256, 1.8014398509481984e+16, s2b)
+    s2 = where(s2_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
     scaled_s2_2 = v2_2 * s2
@@ -266,13 +272,15 @@ def angle_vv(v1, v2):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s = where(s_largest2 < 8.881784197001252e-16, 1.2676506002282294e+30, s_b)
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = c_0 * s
     y_1 = c_1 * s
     y_2 = c_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
     r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r = where(1 < s, 7.888609052210118e-31, r_b)
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2
     angle = arctan2(cross, dot_)

@@ -1057,3 +1057,86 @@ def hsta(D, axis):
     so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
     return (so_0, so_1, so_2, 0, 0, 0, so_0_error_bound, so_1_error_bound, so_2_error_bound, 0, 0,
         0)
+
+
+@kernel("(3,4),(3)->(6),(6)")
+def hsrainv(D, axis):
+    """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
+    NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    27 mul, 24 add, 3 neg, 12 abs.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    a_0a = D_00 * axis_0
+    a_0b = D_01 * axis_1
+    a_0d = D_02 * axis_2
+    a_0 = a_0a + a_0b + a_0d
+    a_1a = D_10 * axis_0
+    a_1b = D_11 * axis_1
+    a_1d = D_12 * axis_2
+    a_1 = a_1a + a_1b + a_1d
+    a_2a = D_20 * axis_0
+    a_2b = D_21 * axis_1
+    a_2d = D_22 * axis_2
+    a_2 = a_2a + a_2b + a_2d
+    so_0 = D_23 * a_1 - D_13 * a_2
+    so_1 = D_03 * a_2 - D_23 * a_0
+    so_2 = D_13 * a_0 - D_03 * a_1
+    so_3 = -a_0
+    so_4 = -a_1
+    so_5 = -a_2
+    a_0_size = absolute(a_0a) + absolute(a_0b) + absolute(a_0d)
+    a_1_size = absolute(a_1a) + absolute(a_1b) + absolute(a_1d)
+    a_2_size = absolute(a_2a) + absolute(a_2b) + absolute(a_2d)
+    a_1_padded = a_1_size + 2.004168360008973e-292
+    D_23_abs = absolute(D_23)
+    a_2_padded = a_2_size + 2.004168360008973e-292
+    D_13_abs = absolute(D_13)
+    so_0_size = D_23_abs * a_1_padded + D_13_abs * a_2_padded
+    D_03_abs = absolute(D_03)
+    a_0_padded = a_0_size + 2.004168360008973e-292
+    so_1_size = D_03_abs * a_2_padded + D_23_abs * a_0_padded
+    so_2_size = D_13_abs * a_0_padded + D_03_abs * a_1_padded
+    so_0_error_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_error_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_error_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
+    a_0_error_bound = 3.3306690738754706e-16 * a_0_padded
+    a_1_error_bound = 3.3306690738754706e-16 * a_1_padded
+    a_2_error_bound = 3.3306690738754706e-16 * a_2_padded
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
+        so_2_error_bound, a_0_error_bound, a_1_error_bound, a_2_error_bound)
+
+
+@kernel("(3,4),(3)->(6),(6)")
+def hstainv(D, axis):
+    """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    12 mul, 15 add, 3 neg, 9 abs.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    axis_0, axis_1, axis_2 = axis
+    so_0a = D_00 * axis_0
+    so_0b = D_01 * axis_1
+    so_0d = D_02 * axis_2
+    so_0 = -(so_0a + so_0b + so_0d)
+    so_1a = D_10 * axis_0
+    so_1b = D_11 * axis_1
+    so_1d = D_12 * axis_2
+    so_1 = -(so_1a + so_1b + so_1d)
+    so_2a = D_20 * axis_0
+    so_2b = D_21 * axis_1
+    so_2d = D_22 * axis_2
+    so_2 = -(so_2a + so_2b + so_2d)
+    so_0e_padded = absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292
+    so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded
+    so_1e_padded = absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292
+    so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded
+    so_2e_padded = absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292
+    so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded
+    return (so_0, so_1, so_2, 0, 0, 0, so_0e_error_bound, so_1e_error_bound, so_2e_error_bound, 0,
+        0, 0)

@@ -26,8 +26,13 @@ from coscrew.certified.single.vec3 import (
     add_vvz,
     add_vvzinv,
 )
+from coscrew.certified.single.vec4 import (
+    vec4_scale,
+    vec4_scaled,
+)
 from coscrew.certified.single.mat3x3 import (
     mat3x3_determinant,
+    mat3x3_setFromAxisDC,
 )
 from coscrew.certified.single.SE3 import (
     SE3_invert,
@@ -106,6 +111,8 @@ from coscrew.certified.single.screw import (
     cross_sst,
     hsra,
     hsta,
+    hsrainv,
+    hstainv,
 )
 from coscrew.certified.single.coscrew import (
     coscrew_scale,

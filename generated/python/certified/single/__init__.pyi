@@ -131,11 +131,36 @@ def add_vvzinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None
     1 mul, 1 add, 1 abs.
     """
 
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = a self; |error of self| <= self_bound unless inf or NaN.
+
+    (4),()->(4),(4).  self, self_bound: vector (x, y, z) and a homogeneous coordinate w; a:
+    number.
+    8 mul, 4 add, 4 abs.
+    """
+
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
+
+    (4),()->(4),(4).  v, vo, vo_bound: vector (x, y, z) and a homogeneous coordinate w; k:
+    number.
+    8 mul, 4 add, 4 abs.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """det R; |error of det| <= det_bound unless inf or NaN.
 
     (3,3)->(),().  R: rotation or other 3×3 matrix; det, det_bound: number.
     13 mul, 14 add, 9 abs.
+    """
+
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ);
+    |error of R| <= R_bound unless inf or NaN.
+
+    (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
+    matrix.
+    30 mul, 31 add, 8 abs.
     """
 
 def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -674,6 +699,23 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.float32] | None, N
     (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
     so_bound: screw (v in m/s; ω in rad/s).
     12 mul, 15 add, 9 abs.
+    """
+
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
+    NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    27 mul, 24 add, 3 neg, 12 abs.
+    """
+
+def hstainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
+
+    (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
+    so_bound: screw (v in m/s; ω in rad/s).
+    12 mul, 15 add, 3 neg, 9 abs.
     """
 
 def coscrew_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

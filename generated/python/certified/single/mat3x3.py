@@ -36,3 +36,78 @@ def mat3x3_determinant(R):
     det_size = det_c_size + absolute(R_20) * (n_2_size + 1.9721523e-31)
     det_error_bound = 2.9802328e-07 * (det_size + 1.9721523e-31)
     return (det, det_error_bound)
+
+
+@kernel("(3),(2)->(3,3),(3,3)")
+def mat3x3_setFromAxisDC(axis, dc):
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ);
+    |error of R| <= R_bound unless inf or NaN.
+
+    (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
+    matrix.
+    30 mul, 31 add, 8 abs.
+    """
+    axis_0, axis_1, axis_2 = axis
+    dc_0, dc_1 = dc
+    versine = 1 - dc_1
+    versine_axis_0 = axis_0 * versine
+    versine_axis_1 = axis_1 * versine
+    versine_axis_2 = axis_2 * versine
+    m_0 = axis_0 * versine_axis_0
+    m_1 = axis_1 * versine_axis_1
+    m_2 = axis_2 * versine_axis_2
+    m_3 = axis_1 * versine_axis_0
+    m_4 = axis_2 * versine_axis_0
+    m_5 = axis_2 * versine_axis_1
+    sine_axis_0 = axis_0 * dc_0
+    sine_axis_1 = axis_1 * dc_0
+    sine_axis_2 = axis_2 * dc_0
+    R_00 = dc_1 + m_0
+    R_01 = m_3 - sine_axis_2
+    R_02 = m_4 + sine_axis_1
+    R_10 = m_3 + sine_axis_2
+    R_11 = dc_1 + m_1
+    R_12 = m_5 - sine_axis_0
+    R_20 = m_4 - sine_axis_1
+    R_21 = m_5 + sine_axis_0
+    R_22 = dc_1 + m_2
+    axis_0_abs = absolute(axis_0)
+    versine_abs = absolute(versine)
+    versine_axis_0_size = axis_0_abs * versine_abs
+    axis_1_abs = absolute(axis_1)
+    versine_axis_1_size = axis_1_abs * versine_abs
+    axis_2_abs = absolute(axis_2)
+    versine_axis_2_size = axis_2_abs * versine_abs
+    versine_axis_0_padded = versine_axis_0_size + 1.9721523e-31
+    m_0_size = axis_0_abs * versine_axis_0_padded
+    versine_axis_1_padded = versine_axis_1_size + 1.9721523e-31
+    m_1_size = axis_1_abs * versine_axis_1_padded
+    m_2_size = axis_2_abs * (versine_axis_2_size + 1.9721523e-31)
+    m_3_size = axis_1_abs * versine_axis_0_padded
+    m_4_size = axis_2_abs * versine_axis_0_padded
+    m_5_size = axis_2_abs * versine_axis_1_padded
+    dc_1_abs = absolute(dc_1)
+    R_00_size = dc_1_abs + m_0_size
+    sine_axis_2_abs = absolute(sine_axis_2)
+    R_01_size = m_3_size + sine_axis_2_abs
+    sine_axis_1_abs = absolute(sine_axis_1)
+    R_02_size = m_4_size + sine_axis_1_abs
+    R_10_size = m_3_size + sine_axis_2_abs
+    R_11_size = dc_1_abs + m_1_size
+    sine_axis_0_abs = absolute(sine_axis_0)
+    R_12_size = m_5_size + sine_axis_0_abs
+    R_20_size = m_4_size + sine_axis_1_abs
+    R_21_size = m_5_size + sine_axis_0_abs
+    R_22_size = dc_1_abs + m_2_size
+    R_00_error_bound = 2.3841864e-07 * (R_00_size + 1.9721523e-31)
+    R_01_error_bound = 2.3841864e-07 * (R_01_size + 1.9721523e-31)
+    R_02_error_bound = 2.3841864e-07 * (R_02_size + 1.9721523e-31)
+    R_10_error_bound = 2.3841864e-07 * (R_10_size + 1.9721523e-31)
+    R_11_error_bound = 2.3841864e-07 * (R_11_size + 1.9721523e-31)
+    R_12_error_bound = 2.3841864e-07 * (R_12_size + 1.9721523e-31)
+    R_20_error_bound = 2.3841864e-07 * (R_20_size + 1.9721523e-31)
+    R_21_error_bound = 2.3841864e-07 * (R_21_size + 1.9721523e-31)
+    R_22_error_bound = 2.3841864e-07 * (R_22_size + 1.9721523e-31)
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22, R_00_error_bound,
+        R_01_error_bound, R_02_error_bound, R_10_error_bound, R_11_error_bound, R_12_error_bound,
+        R_20_error_bound, R_21_error_bound, R_22_error_bound)

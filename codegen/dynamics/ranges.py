@@ -1,0 +1,113 @@
+"""Numbers that a precision cannot hold are refused before anything is emitted with them.
+
+What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what is
+smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal, as
+products of what files hold where they mean zero are: 1.7e-19 kg m².
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.dynamics.model import Scalar, value
+from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.program import Constant
+from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.targets.precision import named
+
+NORMAL, SUBNORMAL = "smallest_normal", "smallest_subnormal"
+_AXES = ("x", "y", "z")
+_MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+_REMEDY = ('; precision = "double" in the scene file, or --precision double, leaves single '
+           "precision out")
+
+
+class RangeError(ValueError):
+    """"SCENE: body 'tool': mass 1e+60 kg is outside single precision's range: …"."""
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A number of the scene, and where it stands: "body 'tool'", "mass"."""
+
+    where: str
+    name: str
+    number: Scalar
+    unit: str
+
+
+def refuse_numbers(scene: Scene) -> None:
+    """Raise RangeError for the first number of the scene that a precision it is generated in cannot
+    hold."""
+    for x in _written(scene):
+        number = value(x.number)
+        _refuse(scene, Constant(number, number), NORMAL,
+                f"{x.where}: {x.name} {float(number):g} {x.unit}".rstrip())
+
+
+def refuse_products(scene: Scene, function: Function) -> None:
+    """Raise RangeError for the first constant of the function that a precision it is generated in
+    cannot hold: what numbers of the scene are multiplied to."""
+    bodies = {body.name for body in scene.model.bodies}
+    for where, constant in _constants(function):
+        place = f"body {where!r}" if where in bodies else where
+        _refuse(scene, constant, SUBNORMAL, f"{place}: its numbers are multiplied to "
+                f"{_shown(constant.double)} in {function.name}, which")
+
+
+def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
+    for precision in named(scene.precisions):
+        smallest, largest = precision.limit(least), precision.limit("max")
+        number = precision.value(constant)
+        if number and not smallest <= abs(number) <= largest:
+            remedy = _REMEDY if precision.name == "single" and "double" in scene.precisions else ""
+            raise RangeError(f"{scene.name}: {what} is outside {precision.name} precision's range: "
+                             f"0, and {float(smallest):.2g} to {float(largest):.2g} in size"
+                             f"{remedy}")
+
+
+def _shown(x: Fraction) -> str:
+    """Three digits; of what is no float, the power of ten."""
+    try:
+        if near := float(x):
+            return f"{near:.3g}"
+    except OverflowError:
+        pass
+    digits = len(str(abs(x.numerator))) - len(str(x.denominator))
+    return f"about {'-' if x < 0 else ''}1e{digits:+d}"
+
+
+def _written(scene: Scene) -> Iterator[_Written]:
+    for body in scene.model.bodies:
+        if inertia := body.inertia:
+            where = f"body {body.name!r}"
+            yield _Written(where, "mass", inertia.mass, "kg")
+            for name, x in zip(_AXES, inertia.com, strict=True):
+                yield _Written(where, f"com {name}", x, "m")
+            for name, x in zip(_MOMENTS, inertia.moments, strict=True):
+                yield _Written(where, f"inertia {name}", x, "kg m²")
+    for joint in scene.model.joints:
+        where = f"joint {joint.name!r}"
+        for name, x in zip(_AXES, joint.placement.t, strict=True):
+            yield _Written(where, f"origin {name}", x, "m")
+        if joint.mimic and any(applied.effect.mimic for applied in scene.effects):
+            yield _Written(where, "mimic's multiplier", joint.mimic.multiplier, "")
+            yield _Written(where, "mimic's offset", joint.mimic.offset, "")
+    for applied in scene.effects:
+        for parameter in applied.effect.parameters:
+            given = applied.values.get(parameter.name)
+            for x in given if isinstance(given, tuple) else (given,):
+                if isinstance(x, Scalar):
+                    yield _Written(f"effect {applied.name}", parameter.name, x, parameter.unit)
+
+
+def _constants(function: Function) -> Iterator[tuple[str, Constant]]:
+    """The constants of a function, with the part of the scene they belong to."""
+    program = function.program
+    for step in program.instructions:
+        for x in step.operands:
+            if isinstance(x, Constant):
+                yield step.component.rpartition(":")[0] or function.name, x
+    for x in program.results:
+        if isinstance(x, Constant):
+            yield f"result of {function.name}", x

@@ -1,0 +1,59 @@
+"""Eigenvectors of symmetric 3×3 matrices: Jacobi's rotations, one at a time."""
+
+import sympy as sp
+
+from coscrew_codegen.operations import special
+from coscrew_codegen.operations.norm import Let, nonzero
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import MAT3X3, Argument
+
+_A, _V = Argument("A", MAT3X3), Argument("V", MAT3X3)
+
+BACKWARD = 12
+"""In u: what a step changes of V A V^T at most, as a part of its largest entry."""
+
+
+def _rotation(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Tangent, sine and cosine of the smaller angle that makes A_xy zero: with θ = cot 2φ,
+    t = sign θ / (|θ| + sqrt(θ² + 1)).  No square is of A's own size, so that none over- or
+    underflows; where θ² does, t is as good as zero."""
+    twice = let("twice", 2 * A[1, 0])
+    theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(twice)))
+    size = let("size", let("absolute", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
+    along = let("along", sp.Piecewise((-size, theta < 0), (size, True)))
+    t = let("t", sp.Piecewise((0, sp.Eq(twice, 0)), (1 / along, True)))
+    c = let("c", 1 / let("secant", sp.sqrt(t**2 + 1)))
+    return t, let("s", t * c), c
+
+
+def _turned(let: Let, name: str, p: sp.Matrix, q: sp.Matrix, s: sp.Expr,
+            c: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
+    """c p - s q, s p + c q."""
+    return let(f"{name}p", c * p - s * q), let(f"{name}q", s * p + c * q)
+
+
+def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
+    """J^T A J and V J, J turning in the plane xy; then y, z, x become x, y, z."""
+    p, q, r = 0, 1, 2
+    t, s, c = _rotation(let, A)
+    change = let("change", t * A[q, p])
+    zp, zq = _turned(let, "z", sp.Matrix([A[r, p]]), sp.Matrix([A[r, q]]), s, c)
+    B = sp.zeros(3, 3)
+    B[p, p], B[q, q], B[r, r] = A[p, p] - change, A[q, q] + change, A[r, r]
+    B[r, p] = B[p, r] = zp[0]
+    B[r, q] = B[q, r] = zq[0]
+    Vp, Vq = _turned(let, "v", V[:, p], V[:, q], s, c)
+    order = [q, r, p]
+    return B.extract(order, order), sp.Matrix.hstack(Vp, Vq, V[:, r])[:, order]
+
+
+OPERATIONS = (
+    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, "
+              "by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A symmetric, "
+              "its lower triangle is read.  From V = I, steps end in A = diag(eigenvalues), with "
+              "V A V^T the same throughout", (_A, _V), (_A, _V),
+              lambda A, V: tuple(sp.Matrix(3, 3, lambda i, j, k=k: special.jacobi(k, i, j, *A, *V))
+                                 for k in range(2)), step,
+              rounding=f"|V A V^T - the same before| <= {BACKWARD} u max |A| for orthonormal V; "
+              "searched, not proved."),
+)

@@ -1,0 +1,79 @@
+"""Euler angles: R = R_i(a) R_j(b) R_k(c), each turn about an axis of the body as it then stands.
+
+Two sequences are enough: x y z, and x y x.  In axes named i, j and the third, every sequence is one
+of them; where i, j and the third are left-handed, with all angles reversed.
+"""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import rotation_about
+from coscrew_codegen.operations.norm import Let, l2, nonzero, unnamed
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import MAT3X3, VEC3, Argument
+
+_R, _angles = Argument("R", MAT3X3), Argument("angles", VEC3)
+
+BACKWARD = 6
+"""In u: how far the rotation by the angles is from R at most, entry by entry; searched."""
+
+
+def _turn(axis: int, angle: sp.Expr) -> sp.Matrix:
+    return rotation_about(axis, sp.sin(angle), sp.cos(angle))
+
+
+def _matrix(axes: tuple[int, int, int], angles: sp.Matrix) -> sp.Matrix:
+    a, b, c = (_turn(axis, angle) for axis, angle in zip(axes, angles, strict=True))
+    return a * b * c
+
+
+def _bound_matrix(axes: tuple[int, int, int], let: Let, angles: sp.Matrix) -> sp.Matrix:
+    sines, cosines = let("s", angles.applyfunc(sp.sin)), let("c", angles.applyfunc(sp.cos))
+    a, b, c = (rotation_about(axis, sine, cosine)
+               for axis, sine, cosine in zip(axes, sines, cosines, strict=True))
+    return let("last", a * let("first", b * c))
+
+
+def _angles_of(let: Let, R: sp.Matrix, y: sp.Expr, x: sp.Expr, middle: tuple[sp.Expr, sp.Expr],
+               column: tuple[sp.Matrix, sp.Matrix]) -> sp.Matrix:
+    """The third angle is that of (x, y); undone, it leaves turns by the first two, whose second
+    column is (0, cos a, sin a): with `column` = (p, q), that is p times the third's cosine less q
+    times its sine.  So whatever the third is, the three belong together, in gimbal lock too, where
+    x = y = 0 and it is 0."""
+    n = let("n", l2(sp.Matrix([x, y])))
+    locked = sp.Eq(n, 0)
+    divisor = let("divisor", nonzero(n))
+    cosine = let("cosine", sp.Piecewise((1, locked), (x / divisor, True)))
+    sine = let("sine", y / divisor)
+    third = let("third", sp.Piecewise((0, locked), (let("polar", sp.atan2(y, x)), True)))
+    p, q = column
+    left = let("left", cosine * p - sine * q)
+    numerator, denominator = (n if z is None else z for z in middle)
+    return sp.Matrix([sp.atan2(left[2], left[1]), sp.atan2(numerator, denominator), third])
+
+
+def _of_xyz(let: Let, R: sp.Matrix) -> sp.Matrix:
+    y = let("y", -R[0, 1])
+    return _angles_of(let, R, y, R[0, 0], (R[0, 2], None), (R[:, 1], -R[:, 0]))
+
+
+def _of_xyx(let: Let, R: sp.Matrix) -> sp.Matrix:
+    return _angles_of(let, R, R[0, 1], R[0, 2], (None, R[0, 0]), (R[:, 1], R[:, 2]))
+
+
+def _pair(name: str, axes: tuple[int, int, int], derivation, middle: str) -> tuple[Operation, ...]:
+    i, j, k = ("xyz"[axis] for axis in axes)
+    turns = f"R_{i}(a) R_{j}(b) R_{k}(c), angles = (a, b, c)"
+    return (
+        Operation(f"mat3x3_from_euler_{name}", "mat3x3", f"R = {turns}", (_angles,), (_R,),
+                  lambda angles: _matrix(axes, angles),
+                  lambda let, angles: _bound_matrix(axes, let, angles)),
+        Operation(f"euler_{name}_from_mat3x3", "mat3x3",
+                  f"angles of the rotation R = {turns}; a, c in [-π, π], {middle}; c = 0 in gimbal "
+                  "lock", (_R,), (_angles,), lambda R: derivation(unnamed, R), derivation,
+                  rounding=f"The rotation by these angles is R but for {BACKWARD} u in each entry, "
+                  "near gimbal lock too; searched, not proved."),
+    )
+
+
+OPERATIONS = (*_pair("xyz", (0, 1, 2), _of_xyz, "b in [-π/2, π/2]"),
+              *_pair("xyx", (0, 1, 0), _of_xyx, "b in [0, π]"))

@@ -1,0 +1,29 @@
+"""4×4 matrices: displacements [[R, t], [0, 1]] and other maps of homogeneous coordinates."""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import displacement, homogeneous
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import MAT3X3, MAT4X4, SE3, VEC3, Argument
+
+FAMILY = "mat4x4"
+
+_M, _self = Argument("M", MAT4X4), Argument("self", MAT4X4)
+_D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3), Argument("t", VEC3)
+
+
+def _op(name, statement, inputs, outputs, formula, by_value=False):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
+
+
+OPERATIONS = (
+    _op("mat4x4_fromSE3", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous,
+        by_value=True),
+    _op("mat4x4_fromRt", "M = [[R, t], [0, 1]]", (_R, _t), (_M,),
+        lambda R, t: homogeneous(displacement(R, t)), by_value=True),
+    _op("mat4x4_toSE3", "D = [R | t], the first three rows of M", (_M,), (_D,),
+        lambda M: M[:3, :]),
+    _op("mat4x4_setIdentity", "self = I", (_self,), (_self,), lambda M: sp.eye(4)),
+    _op("mat4x4_getTranslation", "t, the first three entries of the last column of M", (_M,),
+        (_t,), lambda M: M[:3, 3]),
+)

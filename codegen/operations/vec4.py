@@ -1,0 +1,36 @@
+"""Vectors of four components: of three dimensions, with a homogeneous coordinate behind them."""
+
+from coscrew_codegen.operations.linear import linear_space
+from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import SCALAR, VEC4, Argument
+
+FAMILY = "vec4"
+
+_v, _self, _vo = (Argument(name, VEC4) for name in ("v", "self", "vo"))
+_v1, _v2 = Argument("v1", VEC4), Argument("v2", VEC4)
+_k, _norm = Argument("k", SCALAR), Argument("norm", SCALAR)
+
+
+def _normalized(v):
+    return divided(v, nonzero(l2(v)))
+
+
+def _bound_normalized(let, v):
+    return safe_normalized(let, v, v)
+
+
+def _op(name, statement, inputs, outputs, formula, derivation=None):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation)
+
+
+OPERATIONS = (
+    *(op for op in linear_space(FAMILY, VEC4, "v") if op.name.startswith(FAMILY)),
+    _op("vec4_scaled", "vo = k v", (_v, _k), (_vo,), lambda v, k: k * v),
+    _op("vec4_swap", "v1, v2 = v2, v1", (_v1, _v2), (_v1, _v2), lambda v1, v2: (v2, v1)),
+    _op("vec4_l2norm", "|v| = sqrt(v·v), all four components", (_v,), (_norm,), l2, safe_norm),
+    _op("vec4_normalize", "self = self / |self|; the zero vector stays zero", (_self,), (_self,),
+        _normalized, _bound_normalized),
+    _op("vec4_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
+        _normalized, _bound_normalized),
+)

@@ -1,0 +1,77 @@
+"""What KSL declares beside formulas: integers, sequences of axes, rows of matrices, loops.
+
+C alone has it.  The text stands in templates/c/ksl, one file a header, and at the end of that; what
+it calls is made of the table of operations.
+"""
+
+from fractions import Fraction
+
+import mpmath
+
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Program
+from coscrew_codegen.quantity import SCALAR, Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.targets.c_statements import Statements
+from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
+from coscrew_codegen.targets.precision import Precision
+
+SEQUENCES = tuple((name, tuple("XYZ".index(axis) for axis in name)) for name in (
+    "XYZ", "YZX", "ZXY", "XZY", "YXZ", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"))
+"""Of Euler angles, in the order of KSL's enumeration: name, axes."""
+
+HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
+           "array": ("vec3", "Numbers in arrays: exchanged, and added in multiples.")}
+"""Headers of nothing else: name → the family that brings them, their first line."""
+
+SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
+"""Headers of C's own that they need."""
+
+REFUSED = {
+    "linalg": ("Linear algebra on arrays",
+               "ksl/linalg.h is not here: for A x = b see ksl/symmetric.h and ksl_mat3x3_inverted in "
+               "ksl/mat3x3.h, else use LAPACK"),
+    "print": ("Printing to streams",
+              "ksl/print.h is not here: print the members, as in printf(\\\"%g\\\", v.x)"),
+    "memory": ("Arrays of pointers",
+               "ksl/memory.h is not here: use calloc and free; for the system's memory.h include "
+               "string.h"),
+}
+"""Headers that refuse to be included: name → what KSL has there, what to do instead."""
+
+MARK = "/* What KSL declares beside formulas. */"
+
+_NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
+           "mat3x3": ("vec3", "axis")}  # header → those its text calls
+
+
+def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...]) -> str:
+    """The functions of a header; empty where there are none, or where a header they need is left
+    out."""
+    if header not in _NEEDED or not set(_NEEDED[header]) <= set(headers):
+        return ""
+    made = integers(header)
+    return f"\n{MARK}\n" + render(
+        f"c/ksl/{header}.h", made=made, allocated=allocation(header, INTEGER) if made else None,
+        sequences=SEQUENCES, numbers=(*precisions, INTEGER),
+        precisions=[_holes(precision) for precision in precisions])
+
+
+def _holes(precision: Precision) -> dict[str, object]:
+    with mpmath.workdps(60):
+        pi = Fraction(*mpmath.libmp.to_rational((+mpmath.pi)._mpf_))
+
+    def literal(number: Fraction | int) -> str:
+        return precision.literal(Constant(*(Fraction(number),) * 2)) + precision.suffix
+
+    return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
+            "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
+            "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
+            "product": _product(precision)}
+
+
+def _product(precision: Precision) -> str:
+    """const double product = a * x[i]; as kernels spell products."""
+    program = Program("axpy", (Argument("a", SCALAR), Argument("x[i]", SCALAR)), (), (Instruction(
+        "product", Op.MUL, (Input(0, 0), Input(1, 0)), "product"),), ())
+    statements = Statements(program, precision, lambda x: program.inputs[x.argument].name)
+    return statements.declared(program.instructions, 100)

@@ -1,0 +1,484 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them. */
+#ifndef KSL_VEC4_H
+#define KSL_VEC4_H
+
+#include "ksl_types.h"
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4_t ksl_vec4(const double x, const double y, const double z, const double w) {
+  ksl_vec4_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4_copy(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
+  const double vi_x = vi->x;
+  const double vi_y = vi->y;
+  const double vi_z = vi->z;
+  const double vi_w = vi->w;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+  vo->w = vi_w;
+}
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scale(ksl_vec4_t *self, const double a) {
+  const double self_0_new = self->x * a;
+  const double self_1_new = self->y * a;
+  const double self_2_new = self->z * a;
+  const double self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4_inverted(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
+  const double vo_0 = -vi->x;
+  const double vo_1 = -vi->y;
+  const double vo_2 = -vi->z;
+  const double vo_3 = -vi->w;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* self = -self.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4_invert(ksl_vec4_t *self) {
+  const double self_0_new = -self->x;
+  const double self_1_new = -self->y;
+  const double self_2_new = -self->z;
+  const double self_3_new = -self->w;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4_scaled(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
+  const double vo_0 = v->x * k;
+  const double vo_1 = v->y * k;
+  const double vo_2 = v->z * k;
+  const double vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4_swap(ksl_vec4_t *v1, ksl_vec4_t *v2) {
+  const double v2_x = v2->x;
+  const double v2_y = v2->y;
+  const double v2_z = v2->z;
+  const double v2_w = v2->w;
+  const double v1_x = v1->x;
+  const double v1_y = v1->y;
+  const double v1_z = v1->z;
+  const double v1_w = v1->w;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v1->w = v2_w;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+  v2->w = v1_w;
+}
+
+/* |v| = sqrt(v·v), all four components.
+   v: vector (x, y, z) and a homogeneous coordinate w.
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_size_3 = fabs(v->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double y_3 = v->w * s;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
+  const double norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
+  const double s_size_0 = fabs(self->x);
+  const double s_size_1 = fabs(self->y);
+  const double s_size_2 = fabs(self->z);
+  const double s_size_3 = fabs(self->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = self->x * s;
+  const double y_1 = self->y * s;
+  const double y_2 = self->z * s;
+  const double y_3 = self->w * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
+  const double enlarged_0 = self->x * up;
+  const double enlarged_1 = self->y * up;
+  const double enlarged_2 = self->z * up;
+  const double enlarged_3 = self->w * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double self_0_new = quotient_0 * down;
+  const double self_1_new = quotient_1 * down;
+  const double self_2_new = quotient_2 * down;
+  const double self_3_new = quotient_3 * down;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
+  const double s_size_0 = fabs(v->x);
+  const double s_size_1 = fabs(v->y);
+  const double s_size_2 = fabs(v->z);
+  const double s_size_3 = fabs(v->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double y_0 = v->x * s;
+  const double y_1 = v->y * s;
+  const double y_2 = v->z * s;
+  const double y_3 = v->w * s;
+  const double up = 1.0 < s ? s : 1.0;
+  const double down = s < 1.0 ? s : 1.0;
+  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double divisor = n == 0.0 ? up : n;
+  const double enlarged_0 = v->x * up;
+  const double enlarged_1 = v->y * up;
+  const double enlarged_2 = v->z * up;
+  const double enlarged_3 = v->w * up;
+  const double quotient_0 = enlarged_0 / divisor;
+  const double quotient_1 = enlarged_1 / divisor;
+  const double quotient_2 = enlarged_2 / divisor;
+  const double quotient_3 = enlarged_3 / divisor;
+  const double vo_0 = quotient_0 * down;
+  const double vo_1 = quotient_1 * down;
+  const double vo_2 = quotient_2 * down;
+  const double vo_3 = quotient_3 * down;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4f_t ksl_vec4f(const float x, const float y, const float z, const float w) {
+  ksl_vec4f_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+/* vo = vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4f_copy(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
+  const float vi_x = vi->x;
+  const float vi_y = vi->y;
+  const float vi_z = vi->z;
+  const float vi_w = vi->w;
+  vo->x = vi_x;
+  vo->y = vi_y;
+  vo->z = vi_z;
+  vo->w = vi_w;
+}
+
+/* self = a self.
+   self: vector (x, y, z) and a homogeneous coordinate w; a: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scale(ksl_vec4f_t *self, const float a) {
+  const float self_0_new = self->x * a;
+  const float self_1_new = self->y * a;
+  const float self_2_new = self->z * a;
+  const float self_3_new = self->w * a;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = -vi.
+   vi, vo: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4f_inverted(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
+  const float vo_0 = -vi->x;
+  const float vo_1 = -vi->y;
+  const float vo_2 = -vi->z;
+  const float vo_3 = -vi->w;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* self = -self.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   4 neg.
+   Exact. */
+static inline void ksl_vec4f_invert(ksl_vec4f_t *self) {
+  const float self_0_new = -self->x;
+  const float self_1_new = -self->y;
+  const float self_2_new = -self->z;
+  const float self_3_new = -self->w;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = k v.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
+   4 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_vec4f_scaled(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
+  const float vo_0 = v->x * k;
+  const float vo_1 = v->y * k;
+  const float vo_2 = v->z * k;
+  const float vo_3 = v->w * k;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+/* v1, v2 = v2, v1.
+   v1, v2: vector (x, y, z) and a homogeneous coordinate w.
+   No arithmetic.
+   Exact. */
+static inline void ksl_vec4f_swap(ksl_vec4f_t *v1, ksl_vec4f_t *v2) {
+  const float v2_x = v2->x;
+  const float v2_y = v2->y;
+  const float v2_z = v2->z;
+  const float v2_w = v2->w;
+  const float v1_x = v1->x;
+  const float v1_y = v1->y;
+  const float v1_z = v1->z;
+  const float v1_w = v1->w;
+  v1->x = v2_x;
+  v1->y = v2_y;
+  v1->z = v2_z;
+  v1->w = v2_w;
+  v2->x = v1_x;
+  v2->y = v1_y;
+  v2->z = v1_z;
+  v2->w = v1_w;
+}
+
+/* |v| = sqrt(v·v), all four components.
+   v: vector (x, y, z) and a homogeneous coordinate w.
+   9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
+static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_size_3 = fabsf(v->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float y_3 = v->w * s;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
+  const float norm = n * r;
+  return norm;
+}
+
+/* self = self / |self|; the zero vector stays zero.
+   self: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
+  const float s_size_0 = fabsf(self->x);
+  const float s_size_1 = fabsf(self->y);
+  const float s_size_2 = fabsf(self->z);
+  const float s_size_3 = fabsf(self->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = self->x * s;
+  const float y_1 = self->y * s;
+  const float y_2 = self->z * s;
+  const float y_3 = self->w * s;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
+  const float enlarged_0 = self->x * up;
+  const float enlarged_1 = self->y * up;
+  const float enlarged_2 = self->z * up;
+  const float enlarged_3 = self->w * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float self_0_new = quotient_0 * down;
+  const float self_1_new = quotient_1 * down;
+  const float self_2_new = quotient_2 * down;
+  const float self_3_new = quotient_3 * down;
+  self->x = self_0_new;
+  self->y = self_1_new;
+  self->z = self_2_new;
+  self->w = self_3_new;
+}
+
+/* vo = v / |v|; the zero vector stays zero.
+   v, vo: vector (x, y, z) and a homogeneous coordinate w.
+   16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
+static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
+  const float s_size_0 = fabsf(v->x);
+  const float s_size_1 = fabsf(v->y);
+  const float s_size_2 = fabsf(v->z);
+  const float s_size_3 = fabsf(v->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float y_0 = v->x * s;
+  const float y_1 = v->y * s;
+  const float y_2 = v->z * s;
+  const float y_3 = v->w * s;
+  const float up = 1.0f < s ? s : 1.0f;
+  const float down = s < 1.0f ? s : 1.0f;
+  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrtf(n_g);
+  const float divisor = n == 0.0f ? up : n;
+  const float enlarged_0 = v->x * up;
+  const float enlarged_1 = v->y * up;
+  const float enlarged_2 = v->z * up;
+  const float enlarged_3 = v->w * up;
+  const float quotient_0 = enlarged_0 / divisor;
+  const float quotient_1 = enlarged_1 / divisor;
+  const float quotient_2 = enlarged_2 / divisor;
+  const float quotient_3 = enlarged_3 / divisor;
+  const float vo_0 = quotient_0 * down;
+  const float vo_1 = quotient_1 * down;
+  const float vo_2 = quotient_2 * down;
+  const float vo_3 = quotient_3 * down;
+  vo->x = vo_0;
+  vo->y = vo_1;
+  vo->z = vo_2;
+  vo->w = vo_3;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec4_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4_t *ksl_vec4_alloc(int n) {
+  return n > 0 ? (ksl_vec4_t *)calloc((size_t)n, sizeof(ksl_vec4_t)) : NULL;
+}
+
+/* n ksl_vec4f_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4f_t *ksl_vec4f_alloc(int n) {
+  return n > 0 ? (ksl_vec4f_t *)calloc((size_t)n, sizeof(ksl_vec4f_t)) : NULL;
+}
+
+#endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The vec4 of these entries, in order. */
+static inline ksl_vec4i_t ksl_vec4i(const int x, const int y, const int z, const int w) {
+  ksl_vec4i_t value;
+  value.x = x;
+  value.y = y;
+  value.z = z;
+  value.w = w;
+  return value;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_vec4i_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there is
+     no memory. */
+static inline ksl_vec4i_t *ksl_vec4i_alloc(int n) {
+  return n > 0 ? (ksl_vec4i_t *)calloc((size_t)n, sizeof(ksl_vec4i_t)) : NULL;
+}
+
+#endif
+
+#endif

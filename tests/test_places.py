@@ -1,0 +1,113 @@
+"""A table under the name of a joint or body is that one's, whatever the effect's parameters are
+called; what could be either is refused.  For every effect, by construction."""
+
+import pytest
+
+from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+
+SEVERAL = {Place.JOINT: "joints", Place.BODY: "bodies"}
+CLASHES = [(effect, parameter) for effect in EFFECTS if effect.place in SEVERAL
+           for parameter in effect.parameters]
+IDS = [f"{effect.name}.{parameter.name}" for effect, parameter in CLASHES]
+WRITTEN = {"vector": "[1, 2, 3]", "formulas": "[1, 2, 't']", "formula": "'2*t'"}
+
+
+def value(parameter: ParameterOf, number: int = 2) -> str:
+    """What a file may give for the parameter."""
+    if parameter.kind == "choice":
+        return f'"{parameter.choices[-1]}"'
+    return WRITTEN.get(parameter.kind, str(number))
+
+
+def given(effect: Effect, of: ParameterOf) -> dict[str, str]:
+    """Values for all of the effect's parameters, of a kind that has the parameter `of`."""
+    kinds = next((x.choices for x in effect.parameters if x.name == "kind"), ("",))
+    kind = of.of[0] if of.of else kinds[-1]
+    found = {x.name: value(x, n + 2) for n, x in enumerate(effect.parameters)
+             if not x.of or kind in x.of}
+    return {**found, **({"kind": f'"{kind}"'} if kind else {})}
+
+
+def lines(values: dict[str, str]) -> str:
+    return "".join(f"{key} = {text}\n" for key, text in values.items())
+
+
+@pytest.fixture
+def read(tmp_path):
+    """A scene of two links whose joints and bodies have these names, with effects."""
+
+    def read(place: Place, first: str, effects: str, second: str = "other"):
+        joints, bodies = (first, second), (f"of_{first}", f"of_{second}")
+        if place is Place.BODY:
+            joints, bodies = bodies, joints
+        parents = ("world", bodies[0])
+        text = "".join(f'[bodies."{body}"]\nmass = 1\ninertia = [1, 1, 1]\n[joints."{joint}"]\n'
+                       f'type = "revolute"\nparent = "{parent}"\nchild = "{body}"\n'
+                       "axis = [0, 0, 1]\nlimits = { lower = -1, upper = 1 }\n"
+                       for joint, body, parent in zip(joints, bodies, parents, strict=True))
+        (tmp_path / "arm.toml").write_text(text + effects)
+        return {x.on: dict(x.values) for x in read_scene(tmp_path / "arm.toml").effects}
+
+    return read
+
+
+@pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
+def test_a_table_under_a_name_that_is_both_is_the_places(read, effect, parameter):
+    """It says what it says for a place of another name."""
+    table = lines(given(effect, parameter))
+    if set(given(effect, parameter)) == {parameter.name}:
+        return  # of one parameter: the table is refused below
+    there = read(effect.place, parameter.name, f"[effects.{effect.name}.{parameter.name}]\n{table}")
+    other = read(effect.place, "plain", f"[effects.{effect.name}.plain]\n{table}")
+    assert there == {parameter.name: other["plain"]}
+
+
+@pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
+def test_a_table_that_could_be_either_is_refused_with_the_way_round(read, effect, parameter):
+    name, several = parameter.name, SEVERAL[effect.place]
+    table = f"[effects.{effect.name}.{name}]\n{name} = {value(parameter)}\n"
+    with pytest.raises(SceneError) as caught:
+        read(effect.place, name, table)
+    assert caught.value.where == f"effects.{effect.name}.{name}"
+    assert f"{name!r} is a {several[:-1].replace('bodie', 'body')} and a parameter" in str(
+        caught.value)
+    assert f'wanted {several} = ["{name}"] with numbers' in str(caught.value)
+    values = lines(given(effect, parameter))
+    round_ = read(effect.place, name, f'[effects.{effect.name}]\n{several} = ["{name}"]\n{values}')
+    plain = read(effect.place, "plain", f"[effects.{effect.name}.plain]\n{values}")
+    assert round_ == {name: plain["plain"]}
+
+
+@pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
+def test_a_table_under_a_parameters_name_alone_is_by_places(read, effect, parameter):
+    values = {key: text for key, text in given(effect, parameter).items() if key != parameter.name}
+    if parameter.name == "kind" or parameter.kind in WRITTEN:
+        return  # the rest depends on it; and lists are given in the tables of their places
+    text = f"[effects.{effect.name}]\n{lines(values)}{parameter.name} = {{ plain = 2, other = 3 }}\n"
+    if parameter.kind == "choice":
+        text = text.replace("= 2,", f"= {value(parameter)},").replace("= 3", f"= {value(parameter)}")
+    found = read(effect.place, "plain", text)
+    assert set(found) == {"plain", "other"}
+    if parameter.kind == "number":
+        assert [found[x][parameter.name] for x in ("plain", "other")] == [2, 3]
+
+
+def test_labels_are_no_parameters(read):
+    push = "[effects.wrench.{0}]\nbody = 'hull'\nforce = [1, 0, 0]\n"
+    assert read(Place.BODY, "hull", push.format("gust"))
+    with pytest.raises(SceneError, match="'force' is a parameter; wanted another label"):
+        read(Place.BODY, "hull", push.format("force"))
+
+
+def test_joints_and_bodies_may_be_called_as_the_lists_of_them(read):
+    drag = "[effects.drag.bodies]\nkind = 'stokes'\nb = 3\n"
+    assert read(Place.BODY, "bodies", drag)["bodies"]["b"] == 3
+    assert read(Place.JOINT, "joints", "[effects.viscous.joints]\nd = 3\n") == {"joints": {"d": 3}}
+
+
+def test_the_body_b_has_drag(read):
+    drag = "[effects.drag.b]\nkind = 'stokes'\nb = 3\n"
+    assert read(Place.BODY, "b", drag)["b"]["b"] == 3
