@@ -210,7 +210,8 @@ def test_marks_of_byte_order_and_of_other_systems_lines_are_read(tmp_path):
 @pytest.mark.parametrize("words", [
     "generate SCENE -o FILE", "generate SCENE -o FILE/x", "generate SCENE -o /dev/null/x",
     "generate SCENE", "generate FOLDER -o OUT", "generate none.toml -o OUT",
-    "generate SCENE -o OUT --family vec3", "generate SCENE -o OUT --precision single", "generate --family nope",
+    "generate SCENE -o OUT --family vec3", "generate SCENE -o OUT --precision single",
+    "generate --family nope",
     "generate --precision nope", "generate --language nope", "simulate FOLDER",
     "simulate /dev/zero",
     "simulate none.toml", "simulate SCENE --output /none/x.csv", "simulate SCENE --output x.txt",
