@@ -27,7 +27,8 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
-        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION, nq=scene.nq,
+        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
+        nq=scene.nq,
         nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
