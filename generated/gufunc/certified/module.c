@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "5929f3c54b71adc0") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "12473473e73a45b9") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);
