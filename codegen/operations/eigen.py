@@ -19,7 +19,7 @@ def _rotation(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     underflows; where θ² does, t is as good as zero."""
     twice = let("twice", 2 * A[1, 0])
     theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(twice)))
-    size = let("size", let("absolute", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
+    size = let("size", let("magnitude", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
     along = let("along", sp.Piecewise((-size, theta < 0), (size, True)))
     t = let("t", sp.Piecewise((0, sp.Eq(twice, 0)), (1 / along, True)))
     c = let("c", 1 / let("secant", sp.sqrt(t**2 + 1)))

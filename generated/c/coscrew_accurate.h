@@ -3929,21 +3929,21 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       theta_product_error = ksl_product_error(theta, divisor, theta_product),
       theta_rest = theta_of_apart - theta_product, theta_exact = theta_rest - theta_product_error,
       theta_numerator = theta_exact + theta_of_apart_lo, theta_lo = theta_numerator / divisor;
-  const double absolute_of_theta = theta + theta_lo,
-      absolute_of_theta_right = absolute_of_theta - theta,
-      absolute_of_theta_left = absolute_of_theta - absolute_of_theta_right,
-      absolute_of_theta_left_rest = theta - absolute_of_theta_left,
-      absolute_of_theta_right_rest = theta_lo - absolute_of_theta_right,
-      absolute_of_theta_lo = absolute_of_theta_left_rest + absolute_of_theta_right_rest,
-      absolute = fabs(absolute_of_theta), absolute_opposite = -absolute_of_theta_lo,
-      absolute_lo = absolute_of_theta < 0.0 ? absolute_opposite : absolute_of_theta_lo;
-  const double size_a = absolute_of_theta * absolute_of_theta,
-      size_a_cross1 = absolute_of_theta_lo * absolute_of_theta,
-      size_a_cross2 = absolute_of_theta * absolute_of_theta_lo,
+  const double magnitude_of_theta = theta + theta_lo,
+      magnitude_of_theta_right = magnitude_of_theta - theta,
+      magnitude_of_theta_left = magnitude_of_theta - magnitude_of_theta_right,
+      magnitude_of_theta_left_rest = theta - magnitude_of_theta_left,
+      magnitude_of_theta_right_rest = theta_lo - magnitude_of_theta_right,
+      magnitude_of_theta_lo = magnitude_of_theta_left_rest + magnitude_of_theta_right_rest,
+      magnitude = fabs(magnitude_of_theta), magnitude_opposite = -magnitude_of_theta_lo,
+      magnitude_lo = magnitude_of_theta < 0.0 ? magnitude_opposite : magnitude_of_theta_lo;
+  const double size_a = magnitude_of_theta * magnitude_of_theta,
+      size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta,
+      size_a_cross2 = magnitude_of_theta * magnitude_of_theta_lo,
       size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
       size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
-      size_b_right_rest = ksl_product_rest(absolute_of_theta, absolute_of_theta, size_a, size_b_right),
+      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right),
       size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
       size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
       size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
@@ -3956,14 +3956,14 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_c_exact = size_c_rest - size_c_product_error,
       size_c_residual = size_c_exact + size_c_of_size_b_lo, size_c_twice = size_c + size_c,
       size_c_divisor = size_c == 0.0 ? 1.0 : size_c_twice,
-      size_c_lo = size_c_residual / size_c_divisor, size = absolute + size_c,
-      size_right = size - absolute, size_left = size - size_right,
-      size_left_rest = absolute - size_left, size_right_rest = size_c - size_right,
+      size_c_lo = size_c_residual / size_c_divisor, size = magnitude + size_c,
+      size_right = size - magnitude, size_left = size - size_right,
+      size_left_rest = magnitude - size_left, size_right_rest = size_c - size_right,
       size_lo1 = size_left_rest + size_right_rest, size_lo2 = size_lo1 + size_c_lo,
-      size_lo = size_lo2 + absolute_lo;
+      size_lo = size_lo2 + magnitude_lo;
   const double along_a = -size, along_a_lo = -size_lo,
-      along = absolute_of_theta < 0.0 ? along_a : size,
-      along_lo = absolute_of_theta < 0.0 ? along_a_lo : size_lo;
+      along = magnitude_of_theta < 0.0 ? along_a : size,
+      along_lo = magnitude_of_theta < 0.0 ? along_a_lo : size_lo;
   const double t_a_of_along = along + along_lo, t_a_of_along_right = t_a_of_along - along,
       t_a_of_along_left = t_a_of_along - t_a_of_along_right,
       t_a_of_along_left_rest = along - t_a_of_along_left,
@@ -4826,9 +4826,9 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   const double apart = (double)A->m11 - (double)A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
-  const double absolute = fabs(theta);
+  const double magnitude = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);

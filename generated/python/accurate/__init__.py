@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "b94462a07ed46313")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "d5f8c28dd65f213c")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

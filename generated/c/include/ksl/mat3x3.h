@@ -679,9 +679,9 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double apart = A->m11 - A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
-  const double absolute = fabs(theta);
+  const double magnitude = fabs(theta);
   const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
   const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
@@ -1503,9 +1503,9 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float apart = A->m11 - A->m00;
   const float divisor = twice == 0.0f ? 1.0f : twice;
   const float theta = apart / divisor;
-  const float absolute = fabsf(theta);
+  const float magnitude = fabsf(theta);
   const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
-      size = absolute + size_c;
+      size = magnitude + size_c;
   const float along_a = -size, along = theta < 0.0f ? along_a : size;
   const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
   const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
