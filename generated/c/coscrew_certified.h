@@ -1128,22 +1128,22 @@ static inline void ksl_add_vvzinvf_certified(const ksl_vec3f_t *v, const float k
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4_scale_certified(ksl_vec4_t *self, const double a,
     ksl_vec4_t *self_bound) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1159,18 +1159,18 @@ static inline void ksl_vec4_scale_certified(ksl_vec4_t *self, const double a,
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4_scaled_certified(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo,
     ksl_vec4_t *vo_bound) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
-  const double vo_3 = v->w * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
+  const double vo_3 = KSL_MUL(v->w, k);
   const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = 1.1102230246251568e-16 * vo_0_padded;
+      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
   const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = 1.1102230246251568e-16 * vo_1_padded;
+      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
   const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = 1.1102230246251568e-16 * vo_2_padded;
+      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
   const double vo_3_abs = fabs(vo_3), vo_3_padded = vo_3_abs + 2.004168360008973e-292,
-      vo_3_error_bound = 1.1102230246251568e-16 * vo_3_padded;
+      vo_3_error_bound = KSL_MUL(1.1102230246251568e-16, vo_3_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1186,22 +1186,22 @@ static inline void ksl_vec4_scaled_certified(const ksl_vec4_t *v, const double k
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4f_scale_certified(ksl_vec4f_t *self, const float a,
     ksl_vec4f_t *self_bound) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1217,18 +1217,18 @@ static inline void ksl_vec4f_scale_certified(ksl_vec4f_t *self, const float a,
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4f_scaled_certified(const ksl_vec4f_t *v, const float k,
     ksl_vec4f_t *vo, ksl_vec4f_t *vo_bound) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
-  const float vo_3 = v->w * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
+  const float vo_3 = KSL_MULF(v->w, k);
   const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = 5.960465e-08f * vo_0_padded;
+      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
   const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = 5.960465e-08f * vo_1_padded;
+      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
   const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = 5.960465e-08f * vo_2_padded;
+      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
   const float vo_3_abs = fabsf(vo_3), vo_3_padded = vo_3_abs + 1.9721523e-31f,
-      vo_3_error_bound = 5.960465e-08f * vo_3_padded;
+      vo_3_error_bound = KSL_MULF(5.960465e-08f, vo_3_padded);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1280,18 +1280,18 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
 static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2], ksl_mat3x3_t *R_bound) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = axis->x * versine;
-  const double versine_axis_1 = axis->y * versine;
-  const double versine_axis_2 = axis->z * versine;
-  const double m_0 = axis->x * versine_axis_0;
-  const double m_1 = axis->y * versine_axis_1;
-  const double m_2 = axis->z * versine_axis_2;
-  const double m_3 = axis->y * versine_axis_0;
-  const double m_4 = axis->z * versine_axis_0;
-  const double m_5 = axis->z * versine_axis_1;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+  const double versine_axis_0 = KSL_MUL(axis->x, versine);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, versine_axis_0);
+  const double m_1 = KSL_MUL(axis->y, versine_axis_1);
+  const double m_2 = KSL_MUL(axis->z, versine_axis_2);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = dc[1] + m_0;
   const double R_01 = m_3 - sine_axis_2;
   const double R_02 = m_4 + sine_axis_1;
@@ -1302,18 +1302,18 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   const double R_21 = m_5 + sine_axis_0;
   const double R_22 = dc[1] + m_2;
   const double axis_0_abs = fabs(axis->x), versine_abs = fabs(versine),
-      versine_axis_0_size = axis_0_abs * versine_abs;
-  const double axis_1_abs = fabs(axis->y), versine_axis_1_size = axis_1_abs * versine_abs;
-  const double axis_2_abs = fabs(axis->z), versine_axis_2_size = axis_2_abs * versine_abs;
+      versine_axis_0_size = KSL_MUL(axis_0_abs, versine_abs);
+  const double axis_1_abs = fabs(axis->y), versine_axis_1_size = KSL_MUL(axis_1_abs, versine_abs);
+  const double axis_2_abs = fabs(axis->z), versine_axis_2_size = KSL_MUL(axis_2_abs, versine_abs);
   const double versine_axis_0_padded = versine_axis_0_size + 2.004168360008973e-292;
-  const double m_0_size = axis_0_abs * versine_axis_0_padded;
+  const double m_0_size = KSL_MUL(axis_0_abs, versine_axis_0_padded);
   const double versine_axis_1_padded = versine_axis_1_size + 2.004168360008973e-292;
-  const double m_1_size = axis_1_abs * versine_axis_1_padded;
+  const double m_1_size = KSL_MUL(axis_1_abs, versine_axis_1_padded);
   const double versine_axis_2_padded = versine_axis_2_size + 2.004168360008973e-292;
-  const double m_2_size = axis_2_abs * versine_axis_2_padded;
-  const double m_3_size = axis_1_abs * versine_axis_0_padded;
-  const double m_4_size = axis_2_abs * versine_axis_0_padded;
-  const double m_5_size = axis_2_abs * versine_axis_1_padded;
+  const double m_2_size = KSL_MUL(axis_2_abs, versine_axis_2_padded);
+  const double m_3_size = KSL_MUL(axis_1_abs, versine_axis_0_padded);
+  const double m_4_size = KSL_MUL(axis_2_abs, versine_axis_0_padded);
+  const double m_5_size = KSL_MUL(axis_2_abs, versine_axis_1_padded);
   const double dc_1_abs = fabs(dc[1]), R_00_size = dc_1_abs + m_0_size;
   const double sine_axis_2_abs = fabs(sine_axis_2), R_01_size = m_3_size + sine_axis_2_abs;
   const double sine_axis_1_abs = fabs(sine_axis_1), R_02_size = m_4_size + sine_axis_1_abs;
@@ -1324,23 +1324,23 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   const double R_21_size = m_5_size + sine_axis_0_abs;
   const double R_22_size = dc_1_abs + m_2_size;
   const double R_00_padded = R_00_size + 2.004168360008973e-292,
-      R_00_error_bound = 4.440892098500628e-16 * R_00_padded;
+      R_00_error_bound = KSL_MUL(4.440892098500628e-16, R_00_padded);
   const double R_01_padded = R_01_size + 2.004168360008973e-292,
-      R_01_error_bound = 4.440892098500628e-16 * R_01_padded;
+      R_01_error_bound = KSL_MUL(4.440892098500628e-16, R_01_padded);
   const double R_02_padded = R_02_size + 2.004168360008973e-292,
-      R_02_error_bound = 4.440892098500628e-16 * R_02_padded;
+      R_02_error_bound = KSL_MUL(4.440892098500628e-16, R_02_padded);
   const double R_10_padded = R_10_size + 2.004168360008973e-292,
-      R_10_error_bound = 4.440892098500628e-16 * R_10_padded;
+      R_10_error_bound = KSL_MUL(4.440892098500628e-16, R_10_padded);
   const double R_11_padded = R_11_size + 2.004168360008973e-292,
-      R_11_error_bound = 4.440892098500628e-16 * R_11_padded;
+      R_11_error_bound = KSL_MUL(4.440892098500628e-16, R_11_padded);
   const double R_12_padded = R_12_size + 2.004168360008973e-292,
-      R_12_error_bound = 4.440892098500628e-16 * R_12_padded;
+      R_12_error_bound = KSL_MUL(4.440892098500628e-16, R_12_padded);
   const double R_20_padded = R_20_size + 2.004168360008973e-292,
-      R_20_error_bound = 4.440892098500628e-16 * R_20_padded;
+      R_20_error_bound = KSL_MUL(4.440892098500628e-16, R_20_padded);
   const double R_21_padded = R_21_size + 2.004168360008973e-292,
-      R_21_error_bound = 4.440892098500628e-16 * R_21_padded;
+      R_21_error_bound = KSL_MUL(4.440892098500628e-16, R_21_padded);
   const double R_22_padded = R_22_size + 2.004168360008973e-292,
-      R_22_error_bound = 4.440892098500628e-16 * R_22_padded;
+      R_22_error_bound = KSL_MUL(4.440892098500628e-16, R_22_padded);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -1394,18 +1394,18 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
 static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2], ksl_mat3x3f_t *R_bound) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = axis->x * versine;
-  const float versine_axis_1 = axis->y * versine;
-  const float versine_axis_2 = axis->z * versine;
-  const float m_0 = axis->x * versine_axis_0;
-  const float m_1 = axis->y * versine_axis_1;
-  const float m_2 = axis->z * versine_axis_2;
-  const float m_3 = axis->y * versine_axis_0;
-  const float m_4 = axis->z * versine_axis_0;
-  const float m_5 = axis->z * versine_axis_1;
-  const float sine_axis_0 = axis->x * dc[0];
-  const float sine_axis_1 = axis->y * dc[0];
-  const float sine_axis_2 = axis->z * dc[0];
+  const float versine_axis_0 = KSL_MULF(axis->x, versine);
+  const float versine_axis_1 = KSL_MULF(axis->y, versine);
+  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, versine_axis_0);
+  const float m_1 = KSL_MULF(axis->y, versine_axis_1);
+  const float m_2 = KSL_MULF(axis->z, versine_axis_2);
+  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
+  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
+  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
+  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
+  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
   const float R_00 = dc[1] + m_0;
   const float R_01 = m_3 - sine_axis_2;
   const float R_02 = m_4 + sine_axis_1;
@@ -1416,18 +1416,18 @@ static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const k
   const float R_21 = m_5 + sine_axis_0;
   const float R_22 = dc[1] + m_2;
   const float axis_0_abs = fabsf(axis->x), versine_abs = fabsf(versine),
-      versine_axis_0_size = axis_0_abs * versine_abs;
-  const float axis_1_abs = fabsf(axis->y), versine_axis_1_size = axis_1_abs * versine_abs;
-  const float axis_2_abs = fabsf(axis->z), versine_axis_2_size = axis_2_abs * versine_abs;
+      versine_axis_0_size = KSL_MULF(axis_0_abs, versine_abs);
+  const float axis_1_abs = fabsf(axis->y), versine_axis_1_size = KSL_MULF(axis_1_abs, versine_abs);
+  const float axis_2_abs = fabsf(axis->z), versine_axis_2_size = KSL_MULF(axis_2_abs, versine_abs);
   const float versine_axis_0_padded = versine_axis_0_size + 1.9721523e-31f;
-  const float m_0_size = axis_0_abs * versine_axis_0_padded;
+  const float m_0_size = KSL_MULF(axis_0_abs, versine_axis_0_padded);
   const float versine_axis_1_padded = versine_axis_1_size + 1.9721523e-31f;
-  const float m_1_size = axis_1_abs * versine_axis_1_padded;
+  const float m_1_size = KSL_MULF(axis_1_abs, versine_axis_1_padded);
   const float versine_axis_2_padded = versine_axis_2_size + 1.9721523e-31f;
-  const float m_2_size = axis_2_abs * versine_axis_2_padded;
-  const float m_3_size = axis_1_abs * versine_axis_0_padded;
-  const float m_4_size = axis_2_abs * versine_axis_0_padded;
-  const float m_5_size = axis_2_abs * versine_axis_1_padded;
+  const float m_2_size = KSL_MULF(axis_2_abs, versine_axis_2_padded);
+  const float m_3_size = KSL_MULF(axis_1_abs, versine_axis_0_padded);
+  const float m_4_size = KSL_MULF(axis_2_abs, versine_axis_0_padded);
+  const float m_5_size = KSL_MULF(axis_2_abs, versine_axis_1_padded);
   const float dc_1_abs = fabsf(dc[1]), R_00_size = dc_1_abs + m_0_size;
   const float sine_axis_2_abs = fabsf(sine_axis_2), R_01_size = m_3_size + sine_axis_2_abs;
   const float sine_axis_1_abs = fabsf(sine_axis_1), R_02_size = m_4_size + sine_axis_1_abs;
@@ -1438,23 +1438,23 @@ static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const k
   const float R_21_size = m_5_size + sine_axis_0_abs;
   const float R_22_size = dc_1_abs + m_2_size;
   const float R_00_padded = R_00_size + 1.9721523e-31f,
-      R_00_error_bound = 2.3841864e-07f * R_00_padded;
+      R_00_error_bound = KSL_MULF(2.3841864e-07f, R_00_padded);
   const float R_01_padded = R_01_size + 1.9721523e-31f,
-      R_01_error_bound = 2.3841864e-07f * R_01_padded;
+      R_01_error_bound = KSL_MULF(2.3841864e-07f, R_01_padded);
   const float R_02_padded = R_02_size + 1.9721523e-31f,
-      R_02_error_bound = 2.3841864e-07f * R_02_padded;
+      R_02_error_bound = KSL_MULF(2.3841864e-07f, R_02_padded);
   const float R_10_padded = R_10_size + 1.9721523e-31f,
-      R_10_error_bound = 2.3841864e-07f * R_10_padded;
+      R_10_error_bound = KSL_MULF(2.3841864e-07f, R_10_padded);
   const float R_11_padded = R_11_size + 1.9721523e-31f,
-      R_11_error_bound = 2.3841864e-07f * R_11_padded;
+      R_11_error_bound = KSL_MULF(2.3841864e-07f, R_11_padded);
   const float R_12_padded = R_12_size + 1.9721523e-31f,
-      R_12_error_bound = 2.3841864e-07f * R_12_padded;
+      R_12_error_bound = KSL_MULF(2.3841864e-07f, R_12_padded);
   const float R_20_padded = R_20_size + 1.9721523e-31f,
-      R_20_error_bound = 2.3841864e-07f * R_20_padded;
+      R_20_error_bound = KSL_MULF(2.3841864e-07f, R_20_padded);
   const float R_21_padded = R_21_size + 1.9721523e-31f,
-      R_21_error_bound = 2.3841864e-07f * R_21_padded;
+      R_21_error_bound = KSL_MULF(2.3841864e-07f, R_21_padded);
   const float R_22_padded = R_22_size + 1.9721523e-31f,
-      R_22_error_bound = 2.3841864e-07f * R_22_padded;
+      R_22_error_bound = KSL_MULF(2.3841864e-07f, R_22_padded);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -8135,15 +8135,15 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -8154,24 +8154,24 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const double D_23_abs = fabs(D->m23), so_0a_size = KSL_MUL(D_23_abs, a_1_padded);
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const double D_13_abs = fabs(D->m13), so_0b_size = KSL_MUL(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const double D_03_abs = fabs(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const double D_03_abs = fabs(D->m03), so_1a_size = KSL_MUL(D_03_abs, a_2_padded);
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const double so_1b_size = KSL_MUL(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MUL(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
-  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
-  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
-  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
+  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
+  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
+  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -8192,12 +8192,12 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -8205,11 +8205,11 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
   const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
   const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
   const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -9621,15 +9621,15 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -9640,24 +9640,24 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const float D_23_abs = fabsf(D->m23), so_0a_size = KSL_MULF(D_23_abs, a_1_padded);
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const float D_13_abs = fabsf(D->m13), so_0b_size = KSL_MULF(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const float D_03_abs = fabsf(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const float D_03_abs = fabsf(D->m03), so_1a_size = KSL_MULF(D_03_abs, a_2_padded);
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const float so_1b_size = KSL_MULF(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MULF(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 2.9802328e-07f * so_2_padded;
-  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
-  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
-  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
+  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
+  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
+  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -9678,12 +9678,15 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0e_size = so_0c_size + so_0d_abs;
@@ -9694,11 +9697,11 @@ static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
       so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
       so_2e_size = so_2c_size + so_2d_abs;
   const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
   const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
   const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

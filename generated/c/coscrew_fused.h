@@ -865,10 +865,10 @@ static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ks
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scale_fused(ksl_vec4_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -880,10 +880,10 @@ static inline void ksl_vec4_scale_fused(ksl_vec4_t *self, const double a) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scaled_fused(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
-  const double vo_3 = v->w * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
+  const double vo_3 = KSL_MUL(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -895,10 +895,10 @@ static inline void ksl_vec4_scaled_fused(const ksl_vec4_t *v, const double k, ks
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scale_fused(ksl_vec4f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -910,10 +910,10 @@ static inline void ksl_vec4f_scale_fused(ksl_vec4f_t *self, const float a) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scaled_fused(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
-  const float vo_3 = v->w * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
+  const float vo_3 = KSL_MULF(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -950,15 +950,15 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
 static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2]) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = axis->x * versine;
-  const double versine_axis_1 = axis->y * versine;
-  const double versine_axis_2 = axis->z * versine;
-  const double m_3 = axis->y * versine_axis_0;
-  const double m_4 = axis->z * versine_axis_0;
-  const double m_5 = axis->z * versine_axis_1;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+  const double versine_axis_0 = KSL_MUL(axis->x, versine);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = fma(axis->x, versine_axis_0, dc[1]);
   const double R_01 = m_3 - sine_axis_2;
   const double R_02 = m_4 + sine_axis_1;
@@ -1001,15 +1001,15 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
 static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = axis->x * versine;
-  const float versine_axis_1 = axis->y * versine;
-  const float versine_axis_2 = axis->z * versine;
-  const float m_3 = axis->y * versine_axis_0;
-  const float m_4 = axis->z * versine_axis_0;
-  const float m_5 = axis->z * versine_axis_1;
-  const float sine_axis_0 = axis->x * dc[0];
-  const float sine_axis_1 = axis->y * dc[0];
-  const float sine_axis_2 = axis->z * dc[0];
+  const float versine_axis_0 = KSL_MULF(axis->x, versine);
+  const float versine_axis_1 = KSL_MULF(axis->y, versine);
+  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
+  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
+  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
+  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
+  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
   const float R_00 = fmaf(axis->x, versine_axis_0, dc[1]);
   const float R_01 = m_3 - sine_axis_2;
   const float R_02 = m_4 + sine_axis_1;
@@ -4225,15 +4225,15 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m23 * a_1, so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = D->m03 * a_2, so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = D->m13 * a_0, so_2 = fma(-D->m03, a_1, so_2a);
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -4251,11 +4251,11 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4953,15 +4953,15 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m23 * a_1, so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = D->m03 * a_2, so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = D->m13 * a_0, so_2 = fmaf(-D->m03, a_1, so_2a);
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -4980,11 +4980,11 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;

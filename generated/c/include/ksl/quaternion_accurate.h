@@ -13,10 +13,10 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
   const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
@@ -46,36 +46,38 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
-      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
-      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
+      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -96,28 +98,30 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
-  const double y_3 = self->w * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
+  const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -125,10 +129,10 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
-  const double enlarged_3 = self->w * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double enlarged_3 = KSL_MUL(self->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -136,35 +140,35 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -173,11 +177,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
-      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = self_0_new_rest * down,
+      self_0_new_small = KSL_MUL(self_0_new_rest, down),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -185,11 +189,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = self_1_new_of_quotient_1 * down,
-      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
+      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = self_1_new_rest * down,
+      self_1_new_small = KSL_MUL(self_1_new_rest, down),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -197,11 +201,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = self_2_new_of_quotient_2 * down,
-      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
+      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = self_2_new_rest * down,
+      self_2_new_small = KSL_MUL(self_2_new_rest, down),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -209,11 +213,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = self_3_new_of_quotient_3 * down,
-      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
+      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = self_3_new_rest * down,
+      self_3_new_small = KSL_MUL(self_3_new_rest, down),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -245,28 +249,30 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -274,10 +280,10 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = q->x * up;
-  const double enlarged_1 = q->y * up;
-  const double enlarged_2 = q->z * up;
-  const double enlarged_3 = q->w * up;
+  const double enlarged_0 = KSL_MUL(q->x, up);
+  const double enlarged_1 = KSL_MUL(q->y, up);
+  const double enlarged_2 = KSL_MUL(q->z, up);
+  const double enlarged_3 = KSL_MUL(q->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -285,35 +291,35 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double qo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -322,36 +328,37 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       qo_0_of_quotient_0_left_rest = quotient_0 - qo_0_of_quotient_0_left,
       qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right,
       qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest,
-      qo_0 = qo_0_of_quotient_0 * down, qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
-      qo_0_lost = qo_0_of_quotient_0 - qo_0_back, qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo,
-      qo_0_small = qo_0_rest * down, qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
+      qo_0 = KSL_MUL(qo_0_of_quotient_0, down), qo_0_inverse = 1.0 / down,
+      qo_0_back = KSL_MUL(qo_0, qo_0_inverse), qo_0_lost = qo_0_of_quotient_0 - qo_0_back,
+      qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo, qo_0_small = KSL_MUL(qo_0_rest, down),
+      qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
   const double qo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1,
       qo_1_of_quotient_1_left = qo_1_of_quotient_1 - qo_1_of_quotient_1_right,
       qo_1_of_quotient_1_left_rest = quotient_1 - qo_1_of_quotient_1_left,
       qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right,
       qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest,
-      qo_1 = qo_1_of_quotient_1 * down, qo_1_back = qo_1 * qo_0_inverse,
+      qo_1 = KSL_MUL(qo_1_of_quotient_1, down), qo_1_back = KSL_MUL(qo_1, qo_0_inverse),
       qo_1_lost = qo_1_of_quotient_1 - qo_1_back, qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo,
-      qo_1_small = qo_1_rest * down, qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
+      qo_1_small = KSL_MUL(qo_1_rest, down), qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
   const double qo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2,
       qo_2_of_quotient_2_left = qo_2_of_quotient_2 - qo_2_of_quotient_2_right,
       qo_2_of_quotient_2_left_rest = quotient_2 - qo_2_of_quotient_2_left,
       qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right,
       qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest,
-      qo_2 = qo_2_of_quotient_2 * down, qo_2_back = qo_2 * qo_0_inverse,
+      qo_2 = KSL_MUL(qo_2_of_quotient_2, down), qo_2_back = KSL_MUL(qo_2, qo_0_inverse),
       qo_2_lost = qo_2_of_quotient_2 - qo_2_back, qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo,
-      qo_2_small = qo_2_rest * down, qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
+      qo_2_small = KSL_MUL(qo_2_rest, down), qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
   const double qo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3,
       qo_3_of_quotient_3_left = qo_3_of_quotient_3 - qo_3_of_quotient_3_right,
       qo_3_of_quotient_3_left_rest = quotient_3 - qo_3_of_quotient_3_left,
       qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right,
       qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest,
-      qo_3 = qo_3_of_quotient_3 * down, qo_3_back = qo_3 * qo_0_inverse,
+      qo_3 = KSL_MUL(qo_3_of_quotient_3, down), qo_3_back = KSL_MUL(qo_3, qo_0_inverse),
       qo_3_lost = qo_3_of_quotient_3 - qo_3_back, qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo,
-      qo_3_small = qo_3_rest * down, qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
+      qo_3_small = KSL_MUL(qo_3_rest, down), qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
   const double qo_0_rounded = qo_0 + qo_0_lo,
       qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
   const double qo_1_rounded = qo_1 + qo_1_lo,
@@ -373,50 +380,52 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
      over- and underflow. */
 static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
     ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d, qo_0d_left = qo_0d + qo_0d_right,
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->y, q2->z),
+      qo_0c = KSL_MUL(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
       qo_0d_left_rest = ksl_product_rest(q1->y, q2->z, qo_0b, qo_0d_left),
       qo_0d_right_rest = ksl_product_rest(q1->z, q2->y, qo_0c, qo_0d_right),
       qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
       qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
       qo_0e_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0e_left),
       qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
-      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f,
+      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = KSL_MUL(q1->w, q2->x), qo_0 = qo_0e + qo_0f,
       qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
       qo_0_right_rest = ksl_product_rest(q1->w, q2->x, qo_0f, qo_0_right),
       qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
-  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
+  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1b = KSL_MUL(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
       qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
       qo_1c_left_rest = ksl_product_rest(q1->z, q2->x, qo_1a, qo_1c_left),
       qo_1c_right_rest = ksl_product_rest(q1->x, q2->z, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d,
-      qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->y, q2->w),
+      qo_1e = qo_1c + qo_1d, qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
       qo_1e_left_rest = qo_1c - qo_1e_left,
       qo_1e_right_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1e_right),
       qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
-      qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
+      qo_1f = KSL_MUL(q1->w, q2->y), qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
       qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
       qo_1_right_rest = ksl_product_rest(q1->w, q2->y, qo_1f, qo_1_right),
       qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
-  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
+  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2b = KSL_MUL(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
       qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
       qo_2c_left_rest = ksl_product_rest(q1->x, q2->y, qo_2a, qo_2c_left),
       qo_2c_right_rest = ksl_product_rest(q1->y, q2->x, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d,
-      qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->z, q2->w),
+      qo_2e = qo_2c + qo_2d, qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
       qo_2e_left_rest = qo_2c - qo_2e_left,
       qo_2e_right_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2e_right),
       qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
-      qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
+      qo_2f = KSL_MUL(q1->w, q2->z), qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
       qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
       qo_2_right_rest = ksl_product_rest(q1->w, q2->z, qo_2f, qo_2_right),
       qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
-  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b, qo_3d_left = qo_3d - qo_3d_right,
+  const double qo_3a = KSL_MUL(q1->w, q2->w), qo_3b = KSL_MUL(q1->x, q2->x),
+      qo_3c = KSL_MUL(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
+      qo_3d_left = qo_3d - qo_3d_right,
       qo_3d_left_rest = ksl_product_rest(q1->x, q2->x, qo_3b, qo_3d_left),
       qo_3d_right_rest = ksl_product_rest(q1->y, q2->y, qo_3c, qo_3d_right),
-      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e,
-      qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1->z, q2->z),
+      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
       qo_3f_left_rest = qo_3d - qo_3f_left,
       qo_3f_right_rest = ksl_product_rest(q1->z, q2->z, qo_3e, qo_3f_right),
       qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
@@ -441,52 +450,55 @@ static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl
      barring over- and underflow. */
 static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
+  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0b = KSL_MUL(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
       qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
       qo_0c_left_rest = ksl_product_rest(q1->w, q2->x, qo_0a, qo_0c_left),
       qo_0c_right_rest = ksl_product_rest(q1->x, q2->w, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
-      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1->z, q2->y),
+      qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
       qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
       qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
       qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
       qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
       qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
       qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
       qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
       qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
       qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w,
-      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->w, q2->y),
+      qo_1e = KSL_MUL(q1->y, q2->w), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
       qo_1f_left_rest = ksl_product_rest(q1->w, q2->y, qo_1d, qo_1f_left),
       qo_1f_right_rest = ksl_product_rest(q1->y, q2->w, qo_1e, qo_1f_right),
       qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
       qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
       qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
       qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
       qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
       qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
       qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w,
-      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->w, q2->z),
+      qo_2e = KSL_MUL(q1->z, q2->w), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
       qo_2f_left_rest = ksl_product_rest(q1->w, q2->z, qo_2d, qo_2f_left),
       qo_2f_right_rest = ksl_product_rest(q1->z, q2->w, qo_2e, qo_2f_right),
       qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
       qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
       qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
       qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
       qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
       qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
       qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1->z, q2->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
       qo_3e_left_rest = qo_3c - qo_3e_left,
       qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
       qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3f = KSL_MUL(q1->w, q2->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
       qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
       qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
       qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
@@ -507,52 +519,55 @@ static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
      barring over- and underflow. */
 static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
+  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
       qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
       qo_0c_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0c_left),
       qo_0c_right_rest = ksl_product_rest(q1->w, q2->x, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
-      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1->z, q2->y),
+      qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
       qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
       qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
       qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
       qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
       qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
       qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
+  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
       qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
       qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
       qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y,
-      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->y, q2->w),
+      qo_1e = KSL_MUL(q1->w, q2->y), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
       qo_1f_left_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1f_left),
       qo_1f_right_rest = ksl_product_rest(q1->w, q2->y, qo_1e, qo_1f_right),
       qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
       qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
       qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
       qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
+  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
       qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
       qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
       qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z,
-      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->z, q2->w),
+      qo_2e = KSL_MUL(q1->w, q2->z), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
       qo_2f_left_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2f_left),
       qo_2f_right_rest = ksl_product_rest(q1->w, q2->z, qo_2e, qo_2f_right),
       qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
       qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
       qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
       qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
+  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
       qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
       qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
       qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1->z, q2->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
       qo_3e_left_rest = qo_3c - qo_3e_left,
       qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
       qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3f = KSL_MUL(q1->w, q2->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
       qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
       qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
       qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
@@ -573,58 +588,64 @@ static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
      over- and underflow. */
 static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
-      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->y, v->z, c_0a, c_0_left),
+  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b,
+      c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
+      c_0_left_rest = ksl_product_rest(q->y, v->z, c_0a, c_0_left),
       c_0_right_rest = ksl_product_rest(q->z, v->y, c_0b, c_0_right),
       c_0_lo = c_0_left_rest - c_0_right_rest;
-  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
-      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->z, v->x, c_1a, c_1_left),
+  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b,
+      c_1_right = c_1a - c_1, c_1_left = c_1 + c_1_right,
+      c_1_left_rest = ksl_product_rest(q->z, v->x, c_1a, c_1_left),
       c_1_right_rest = ksl_product_rest(q->x, v->z, c_1b, c_1_right),
       c_1_lo = c_1_left_rest - c_1_right_rest;
-  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
-      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->x, v->y, c_2a, c_2_left),
+  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b,
+      c_2_right = c_2a - c_2, c_2_left = c_2 + c_2_right,
+      c_2_left_rest = ksl_product_rest(q->x, v->y, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(q->y, v->x, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
-  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
-  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->y * t_2, turn_0a_cross2 = q->y * t_2_cross2, turn_0b = q->z * t_1,
-      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = turn_0a - turn_0b,
-      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+  const double t_0 = KSL_MUL(2.0, c_0), t_0_cross2 = KSL_MUL(2.0, c_0_lo);
+  const double t_1 = KSL_MUL(2.0, c_1), t_1_cross2 = KSL_MUL(2.0, c_1_lo);
+  const double t_2 = KSL_MUL(2.0, c_2), t_2_cross2 = KSL_MUL(2.0, c_2_lo);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0a_cross2 = KSL_MUL(q->y, t_2_cross2),
+      turn_0b = KSL_MUL(q->z, t_1), turn_0b_cross2 = KSL_MUL(q->z, t_1_cross2),
+      turn_0c = turn_0a - turn_0b, turn_0c_right = turn_0a - turn_0c,
+      turn_0c_left = turn_0c + turn_0c_right,
       turn_0c_left_rest = ksl_product_rest(q->y, t_2, turn_0a, turn_0c_left),
       turn_0c_right_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0c_right),
       turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
       turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
-      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
-      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = KSL_MUL(q->w, t_0),
+      turn_0d_cross2 = KSL_MUL(q->w, t_0_cross2), turn_0 = turn_0c + turn_0d,
       turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
       turn_0_left_rest = turn_0c - turn_0_left,
       turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
       turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
       turn_0_lo = turn_0_lo2 + turn_0c_lo;
-  const double turn_1a = q->z * t_0, turn_1a_cross2 = q->z * t_0_cross2, turn_1b = q->x * t_2,
-      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = turn_1a - turn_1b,
-      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1a_cross2 = KSL_MUL(q->z, t_0_cross2),
+      turn_1b = KSL_MUL(q->x, t_2), turn_1b_cross2 = KSL_MUL(q->x, t_2_cross2),
+      turn_1c = turn_1a - turn_1b, turn_1c_right = turn_1a - turn_1c,
+      turn_1c_left = turn_1c + turn_1c_right,
       turn_1c_left_rest = ksl_product_rest(q->z, t_0, turn_1a, turn_1c_left),
       turn_1c_right_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1c_right),
       turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
       turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
-      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
-      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = KSL_MUL(q->w, t_1),
+      turn_1d_cross2 = KSL_MUL(q->w, t_1_cross2), turn_1 = turn_1c + turn_1d,
       turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
       turn_1_left_rest = turn_1c - turn_1_left,
       turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
       turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
       turn_1_lo = turn_1_lo2 + turn_1c_lo;
-  const double turn_2a = q->x * t_1, turn_2a_cross2 = q->x * t_1_cross2, turn_2b = q->y * t_0,
-      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = turn_2a - turn_2b,
-      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2a_cross2 = KSL_MUL(q->x, t_1_cross2),
+      turn_2b = KSL_MUL(q->y, t_0), turn_2b_cross2 = KSL_MUL(q->y, t_0_cross2),
+      turn_2c = turn_2a - turn_2b, turn_2c_right = turn_2a - turn_2c,
+      turn_2c_left = turn_2c + turn_2c_right,
       turn_2c_left_rest = ksl_product_rest(q->x, t_1, turn_2a, turn_2c_left),
       turn_2c_right_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2c_right),
       turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
       turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
-      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
-      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = KSL_MUL(q->w, t_2),
+      turn_2d_cross2 = KSL_MUL(q->w, t_2_cross2), turn_2 = turn_2c + turn_2d,
       turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
       turn_2_left_rest = turn_2c - turn_2_left,
       turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
@@ -654,58 +675,64 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
      over- and underflow. */
 static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
-      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->z, v->y, c_0a, c_0_left),
+  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b,
+      c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
+      c_0_left_rest = ksl_product_rest(q->z, v->y, c_0a, c_0_left),
       c_0_right_rest = ksl_product_rest(q->y, v->z, c_0b, c_0_right),
       c_0_lo = c_0_left_rest - c_0_right_rest;
-  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
-      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->x, v->z, c_1a, c_1_left),
+  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b,
+      c_1_right = c_1a - c_1, c_1_left = c_1 + c_1_right,
+      c_1_left_rest = ksl_product_rest(q->x, v->z, c_1a, c_1_left),
       c_1_right_rest = ksl_product_rest(q->z, v->x, c_1b, c_1_right),
       c_1_lo = c_1_left_rest - c_1_right_rest;
-  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
-      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->y, v->x, c_2a, c_2_left),
+  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b,
+      c_2_right = c_2a - c_2, c_2_left = c_2 + c_2_right,
+      c_2_left_rest = ksl_product_rest(q->y, v->x, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(q->x, v->y, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
-  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
-  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->z * t_1, turn_0a_cross2 = q->z * t_1_cross2, turn_0b = q->y * t_2,
-      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = turn_0a - turn_0b,
-      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+  const double t_0 = KSL_MUL(2.0, c_0), t_0_cross2 = KSL_MUL(2.0, c_0_lo);
+  const double t_1 = KSL_MUL(2.0, c_1), t_1_cross2 = KSL_MUL(2.0, c_1_lo);
+  const double t_2 = KSL_MUL(2.0, c_2), t_2_cross2 = KSL_MUL(2.0, c_2_lo);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0a_cross2 = KSL_MUL(q->z, t_1_cross2),
+      turn_0b = KSL_MUL(q->y, t_2), turn_0b_cross2 = KSL_MUL(q->y, t_2_cross2),
+      turn_0c = turn_0a - turn_0b, turn_0c_right = turn_0a - turn_0c,
+      turn_0c_left = turn_0c + turn_0c_right,
       turn_0c_left_rest = ksl_product_rest(q->z, t_1, turn_0a, turn_0c_left),
       turn_0c_right_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0c_right),
       turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
       turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
-      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
-      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = KSL_MUL(q->w, t_0),
+      turn_0d_cross2 = KSL_MUL(q->w, t_0_cross2), turn_0 = turn_0c + turn_0d,
       turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
       turn_0_left_rest = turn_0c - turn_0_left,
       turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
       turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
       turn_0_lo = turn_0_lo2 + turn_0c_lo;
-  const double turn_1a = q->x * t_2, turn_1a_cross2 = q->x * t_2_cross2, turn_1b = q->z * t_0,
-      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = turn_1a - turn_1b,
-      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1a_cross2 = KSL_MUL(q->x, t_2_cross2),
+      turn_1b = KSL_MUL(q->z, t_0), turn_1b_cross2 = KSL_MUL(q->z, t_0_cross2),
+      turn_1c = turn_1a - turn_1b, turn_1c_right = turn_1a - turn_1c,
+      turn_1c_left = turn_1c + turn_1c_right,
       turn_1c_left_rest = ksl_product_rest(q->x, t_2, turn_1a, turn_1c_left),
       turn_1c_right_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1c_right),
       turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
       turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
-      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
-      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = KSL_MUL(q->w, t_1),
+      turn_1d_cross2 = KSL_MUL(q->w, t_1_cross2), turn_1 = turn_1c + turn_1d,
       turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
       turn_1_left_rest = turn_1c - turn_1_left,
       turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
       turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
       turn_1_lo = turn_1_lo2 + turn_1c_lo;
-  const double turn_2a = q->y * t_0, turn_2a_cross2 = q->y * t_0_cross2, turn_2b = q->x * t_1,
-      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = turn_2a - turn_2b,
-      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2a_cross2 = KSL_MUL(q->y, t_0_cross2),
+      turn_2b = KSL_MUL(q->x, t_1), turn_2b_cross2 = KSL_MUL(q->x, t_1_cross2),
+      turn_2c = turn_2a - turn_2b, turn_2c_right = turn_2a - turn_2c,
+      turn_2c_left = turn_2c + turn_2c_right,
       turn_2c_left_rest = ksl_product_rest(q->y, t_0, turn_2a, turn_2c_left),
       turn_2c_right_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2c_right),
       turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
       turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
-      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
-      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = KSL_MUL(q->w, t_2),
+      turn_2d_cross2 = KSL_MUL(q->w, t_2_cross2), turn_2 = turn_2c + turn_2d,
       turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
       turn_2_left_rest = turn_2c - turn_2_left,
       turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
@@ -734,10 +761,10 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
    Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = q->w * q->w;
-  const double squares_1 = q->x * q->x;
-  const double squares_2 = q->y * q->y;
-  const double squares_3 = q->z * q->z;
+  const double squares_0 = KSL_MUL(q->w, q->w);
+  const double squares_1 = KSL_MUL(q->x, q->x);
+  const double squares_2 = KSL_MUL(q->y, q->y);
+  const double squares_3 = KSL_MUL(q->z, q->z);
   const double pairs_0 = squares_0 + squares_1, pairs_0_right = pairs_0 - squares_0,
       pairs_0_left = pairs_0 - pairs_0_right,
       pairs_0_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_0_left),
@@ -778,11 +805,11 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       factor_of_square_left_rest = square - factor_of_square_left,
       factor_of_square_right_rest = square_lo - factor_of_square_right,
       factor_of_square_lo = factor_of_square_left_rest + factor_of_square_right_rest,
-      factor = 1.0 / factor_of_square, factor_product = factor * factor_of_square,
+      factor = 1.0 / factor_of_square, factor_product = KSL_MUL(factor, factor_of_square),
       factor_product_error = ksl_product_error(factor, factor_of_square, factor_product),
       factor_rest = 1.0 - factor_product, factor_exact = factor_rest - factor_product_error,
-      factor_cross = factor * factor_of_square_lo, factor_residual = factor_exact - factor_cross,
-      factor_lo = factor_residual / factor_of_square;
+      factor_cross = KSL_MUL(factor, factor_of_square_lo),
+      factor_residual = factor_exact - factor_cross, factor_lo = factor_residual / factor_of_square;
   const double d0 = pairs_0 - pairs_1, d0_right = pairs_0 - d0, d0_left = d0 + d0_right,
       d0_left_rest = pairs_0 - d0_left, d0_right_rest = pairs_1 - d0_right,
       d0_lo1 = d0_left_rest - d0_right_rest, d0_lo2 = d0_lo1 - pairs_1_lo,
@@ -795,17 +822,20 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       d2_left_rest = pairs_4 - d2_left, d2_right_rest = pairs_5 - d2_right,
       d2_lo1 = d2_left_rest - d2_right_rest, d2_lo2 = d2_lo1 - pairs_5_lo,
       d2_lo = d2_lo2 + pairs_4_lo;
-  const double twice = 2.0 * factor, twice_cross2 = 2.0 * factor_lo;
-  const double m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
-      m_0_left = m_0 + m_0_right, m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
+  const double twice = KSL_MUL(2.0, factor), twice_cross2 = KSL_MUL(2.0, factor_lo);
+  const double m_0a = KSL_MUL(q->x, q->y), m_0b = KSL_MUL(q->z, q->w), m_0 = m_0a - m_0b,
+      m_0_right = m_0a - m_0, m_0_left = m_0 + m_0_right,
+      m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
       m_0_right_rest = ksl_product_rest(q->z, q->w, m_0b, m_0_right),
       m_0_lo = m_0_left_rest - m_0_right_rest;
-  const double m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
-      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_1_left),
+  const double m_1a = KSL_MUL(q->x, q->z), m_1b = KSL_MUL(q->y, q->w), m_1 = m_1a + m_1b,
+      m_1_right = m_1 - m_1a, m_1_left = m_1 - m_1_right,
+      m_1_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_1_left),
       m_1_right_rest = ksl_product_rest(q->y, q->w, m_1b, m_1_right),
       m_1_lo = m_1_left_rest + m_1_right_rest;
-  const double m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
-      m_2_left = m_2 + m_2_right, m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
+  const double m_2a = KSL_MUL(q->y, q->z), m_2b = KSL_MUL(q->x, q->w), m_2 = m_2a - m_2b,
+      m_2_right = m_2a - m_2, m_2_left = m_2 + m_2_right,
+      m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
       m_2_right_rest = ksl_product_rest(q->x, q->w, m_2b, m_2_right),
       m_2_lo = m_2_left_rest - m_2_right_rest;
   const double m_3 = m_0a + m_0b, m_3_right = m_3 - m_0a, m_3_left = m_3 - m_3_right,
@@ -820,24 +850,24 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       m_5_left_rest = ksl_product_rest(q->x, q->w, m_2b, m_5_left),
       m_5_right_rest = ksl_product_rest(q->y, q->z, m_2a, m_5_right),
       m_5_lo = m_5_left_rest + m_5_right_rest;
-  const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
-      R_00_cross = R_00_cross1 + R_00_cross2;
-  const double R_01 = twice * m_0, R_01_cross1 = twice_cross2 * m_0, R_01_cross2 = twice * m_0_lo,
-      R_01_cross = R_01_cross1 + R_01_cross2;
-  const double R_02 = twice * m_1, R_02_cross1 = twice_cross2 * m_1, R_02_cross2 = twice * m_1_lo,
-      R_02_cross = R_02_cross1 + R_02_cross2;
-  const double R_10 = twice * m_3, R_10_cross1 = twice_cross2 * m_3, R_10_cross2 = twice * m_3_lo,
-      R_10_cross = R_10_cross1 + R_10_cross2;
-  const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
-      R_11_cross = R_11_cross1 + R_11_cross2;
-  const double R_12 = twice * m_2, R_12_cross1 = twice_cross2 * m_2, R_12_cross2 = twice * m_2_lo,
-      R_12_cross = R_12_cross1 + R_12_cross2;
-  const double R_20 = twice * m_4, R_20_cross1 = twice_cross2 * m_4, R_20_cross2 = twice * m_4_lo,
-      R_20_cross = R_20_cross1 + R_20_cross2;
-  const double R_21 = twice * m_5, R_21_cross1 = twice_cross2 * m_5, R_21_cross2 = twice * m_5_lo,
-      R_21_cross = R_21_cross1 + R_21_cross2;
-  const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
-      R_22_cross = R_22_cross1 + R_22_cross2;
+  const double R_00 = KSL_MUL(factor, d0), R_00_cross1 = KSL_MUL(factor_lo, d0),
+      R_00_cross2 = KSL_MUL(factor, d0_lo), R_00_cross = R_00_cross1 + R_00_cross2;
+  const double R_01 = KSL_MUL(twice, m_0), R_01_cross1 = KSL_MUL(twice_cross2, m_0),
+      R_01_cross2 = KSL_MUL(twice, m_0_lo), R_01_cross = R_01_cross1 + R_01_cross2;
+  const double R_02 = KSL_MUL(twice, m_1), R_02_cross1 = KSL_MUL(twice_cross2, m_1),
+      R_02_cross2 = KSL_MUL(twice, m_1_lo), R_02_cross = R_02_cross1 + R_02_cross2;
+  const double R_10 = KSL_MUL(twice, m_3), R_10_cross1 = KSL_MUL(twice_cross2, m_3),
+      R_10_cross2 = KSL_MUL(twice, m_3_lo), R_10_cross = R_10_cross1 + R_10_cross2;
+  const double R_11 = KSL_MUL(factor, d1), R_11_cross1 = KSL_MUL(factor_lo, d1),
+      R_11_cross2 = KSL_MUL(factor, d1_lo), R_11_cross = R_11_cross1 + R_11_cross2;
+  const double R_12 = KSL_MUL(twice, m_2), R_12_cross1 = KSL_MUL(twice_cross2, m_2),
+      R_12_cross2 = KSL_MUL(twice, m_2_lo), R_12_cross = R_12_cross1 + R_12_cross2;
+  const double R_20 = KSL_MUL(twice, m_4), R_20_cross1 = KSL_MUL(twice_cross2, m_4),
+      R_20_cross2 = KSL_MUL(twice, m_4_lo), R_20_cross = R_20_cross1 + R_20_cross2;
+  const double R_21 = KSL_MUL(twice, m_5), R_21_cross1 = KSL_MUL(twice_cross2, m_5),
+      R_21_cross2 = KSL_MUL(twice, m_5_lo), R_21_cross = R_21_cross1 + R_21_cross2;
+  const double R_22 = KSL_MUL(factor, d2), R_22_cross1 = KSL_MUL(factor_lo, d2),
+      R_22_cross2 = KSL_MUL(factor, d2_lo), R_22_cross = R_22_cross1 + R_22_cross2;
   const double R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo = R_00_error + R_00_cross,
       R_00_rounded = R_00 + R_00_lo,
       R_00_final = R_00_rounded == R_00_rounded ? R_00_rounded : R_00;
@@ -970,28 +1000,31 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
       upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
       upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
-  const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
-      length_a_cross2 = upper_0 * upper_0_lo, length_a_cross = length_a_cross1 + length_a_cross2,
-      length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
-      length_b_cross2 = upper_1 * upper_1_lo, length_b_cross = length_b_cross1 + length_b_cross2,
-      length_c = length_a + length_b, length_c_right = length_c - length_a,
-      length_c_left = length_c - length_c_right,
+  const double length_a = KSL_MUL(upper_0, upper_0), length_a_cross1 = KSL_MUL(upper_0_lo, upper_0),
+      length_a_cross2 = KSL_MUL(upper_0, upper_0_lo),
+      length_a_cross = length_a_cross1 + length_a_cross2, length_b = KSL_MUL(upper_1, upper_1),
+      length_b_cross1 = KSL_MUL(upper_1_lo, upper_1),
+      length_b_cross2 = KSL_MUL(upper_1, upper_1_lo),
+      length_b_cross = length_b_cross1 + length_b_cross2, length_c = length_a + length_b,
+      length_c_right = length_c - length_a, length_c_left = length_c - length_c_right,
       length_c_left_rest = ksl_product_rest(upper_0, upper_0, length_a, length_c_left),
       length_c_right_rest = ksl_product_rest(upper_1, upper_1, length_b, length_c_right),
       length_c_cross = length_a_cross + length_b_cross,
       length_c_lo1 = length_c_left_rest + length_c_right_rest,
-      length_c_lo = length_c_lo1 + length_c_cross, length_d = upper_2 * upper_2,
-      length_d_cross1 = upper_2_lo * upper_2, length_d_cross2 = upper_2 * upper_2_lo,
+      length_c_lo = length_c_lo1 + length_c_cross, length_d = KSL_MUL(upper_2, upper_2),
+      length_d_cross1 = KSL_MUL(upper_2_lo, upper_2),
+      length_d_cross2 = KSL_MUL(upper_2, upper_2_lo),
       length_d_cross = length_d_cross1 + length_d_cross2, length_e = length_c + length_d,
       length_e_right = length_e - length_c, length_e_left = length_e - length_e_right,
       length_e_left_rest = length_c - length_e_left,
       length_e_right_rest = ksl_product_rest(upper_2, upper_2, length_d, length_e_right),
       length_e_lo1 = length_e_left_rest + length_e_right_rest,
       length_e_lo2 = length_e_lo1 + length_d_cross, length_e_lo = length_e_lo2 + length_c_lo,
-      length_f = upper_3 * upper_3, length_f_cross1 = upper_3_lo * upper_3,
-      length_f_cross2 = upper_3 * upper_3_lo, length_f_cross = length_f_cross1 + length_f_cross2,
-      length_g = length_e + length_f, length_g_right = length_g - length_e,
-      length_g_left = length_g - length_g_right, length_g_left_rest = length_e - length_g_left,
+      length_f = KSL_MUL(upper_3, upper_3), length_f_cross1 = KSL_MUL(upper_3_lo, upper_3),
+      length_f_cross2 = KSL_MUL(upper_3, upper_3_lo),
+      length_f_cross = length_f_cross1 + length_f_cross2, length_g = length_e + length_f,
+      length_g_right = length_g - length_e, length_g_left = length_g - length_g_right,
+      length_g_left_rest = length_e - length_g_left,
       length_g_right_rest = ksl_product_rest(upper_3, upper_3, length_f, length_g_right),
       length_g_lo1 = length_g_left_rest + length_g_right_rest,
       length_g_lo2 = length_g_lo1 + length_f_cross, length_g_lo = length_g_lo2 + length_e_lo,
@@ -1001,7 +1034,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       length_of_length_g_left_rest = length_g - length_of_length_g_left,
       length_of_length_g_right_rest = length_g_lo - length_of_length_g_right,
       length_of_length_g_lo = length_of_length_g_left_rest + length_of_length_g_right_rest,
-      length = sqrt(length_of_length_g), length_product = length * length,
+      length = sqrt(length_of_length_g), length_product = KSL_MUL(length, length),
       length_product_error = ksl_product_error(length, length, length_product),
       length_rest = length_of_length_g - length_product,
       length_exact = length_rest - length_product_error,
@@ -1019,44 +1052,48 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       qo_0_of_length_left_rest = length - qo_0_of_length_left,
       qo_0_of_length_right_rest = length_lo - qo_0_of_length_right,
       qo_0_of_length_lo = qo_0_of_length_left_rest + qo_0_of_length_right_rest,
-      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_product = qo_0 * qo_0_of_length,
+      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_product = KSL_MUL(qo_0, qo_0_of_length),
       qo_0_product_error = ksl_product_error(qo_0, qo_0_of_length, qo_0_product),
       qo_0_rest = qo_0_of_upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
-      qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo, qo_0_cross = qo_0 * qo_0_of_length_lo,
-      qo_0_residual = qo_0_numerator - qo_0_cross, qo_0_lo = qo_0_residual / qo_0_of_length;
+      qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo,
+      qo_0_cross = KSL_MUL(qo_0, qo_0_of_length_lo), qo_0_residual = qo_0_numerator - qo_0_cross,
+      qo_0_lo = qo_0_residual / qo_0_of_length;
   const double qo_1_of_upper_1 = upper_1 + upper_1_lo,
       qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1,
       qo_1_of_upper_1_left = qo_1_of_upper_1 - qo_1_of_upper_1_right,
       qo_1_of_upper_1_left_rest = upper_1 - qo_1_of_upper_1_left,
       qo_1_of_upper_1_right_rest = upper_1_lo - qo_1_of_upper_1_right,
       qo_1_of_upper_1_lo = qo_1_of_upper_1_left_rest + qo_1_of_upper_1_right_rest,
-      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_product = qo_1 * qo_0_of_length,
+      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_product = KSL_MUL(qo_1, qo_0_of_length),
       qo_1_product_error = ksl_product_error(qo_1, qo_0_of_length, qo_1_product),
       qo_1_rest = qo_1_of_upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
-      qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo, qo_1_cross = qo_1 * qo_0_of_length_lo,
-      qo_1_residual = qo_1_numerator - qo_1_cross, qo_1_lo = qo_1_residual / qo_0_of_length;
+      qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo,
+      qo_1_cross = KSL_MUL(qo_1, qo_0_of_length_lo), qo_1_residual = qo_1_numerator - qo_1_cross,
+      qo_1_lo = qo_1_residual / qo_0_of_length;
   const double qo_2_of_upper_2 = upper_2 + upper_2_lo,
       qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2,
       qo_2_of_upper_2_left = qo_2_of_upper_2 - qo_2_of_upper_2_right,
       qo_2_of_upper_2_left_rest = upper_2 - qo_2_of_upper_2_left,
       qo_2_of_upper_2_right_rest = upper_2_lo - qo_2_of_upper_2_right,
       qo_2_of_upper_2_lo = qo_2_of_upper_2_left_rest + qo_2_of_upper_2_right_rest,
-      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_product = qo_2 * qo_0_of_length,
+      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_product = KSL_MUL(qo_2, qo_0_of_length),
       qo_2_product_error = ksl_product_error(qo_2, qo_0_of_length, qo_2_product),
       qo_2_rest = qo_2_of_upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
-      qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo, qo_2_cross = qo_2 * qo_0_of_length_lo,
-      qo_2_residual = qo_2_numerator - qo_2_cross, qo_2_lo = qo_2_residual / qo_0_of_length;
+      qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo,
+      qo_2_cross = KSL_MUL(qo_2, qo_0_of_length_lo), qo_2_residual = qo_2_numerator - qo_2_cross,
+      qo_2_lo = qo_2_residual / qo_0_of_length;
   const double qo_3_of_upper_3 = upper_3 + upper_3_lo,
       qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3,
       qo_3_of_upper_3_left = qo_3_of_upper_3 - qo_3_of_upper_3_right,
       qo_3_of_upper_3_left_rest = upper_3 - qo_3_of_upper_3_left,
       qo_3_of_upper_3_right_rest = upper_3_lo - qo_3_of_upper_3_right,
       qo_3_of_upper_3_lo = qo_3_of_upper_3_left_rest + qo_3_of_upper_3_right_rest,
-      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_product = qo_3 * qo_0_of_length,
+      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_product = KSL_MUL(qo_3, qo_0_of_length),
       qo_3_product_error = ksl_product_error(qo_3, qo_0_of_length, qo_3_product),
       qo_3_rest = qo_3_of_upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
-      qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo, qo_3_cross = qo_3 * qo_0_of_length_lo,
-      qo_3_residual = qo_3_numerator - qo_3_cross, qo_3_lo = qo_3_residual / qo_0_of_length;
+      qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo,
+      qo_3_cross = KSL_MUL(qo_3, qo_0_of_length_lo), qo_3_residual = qo_3_numerator - qo_3_cross,
+      qo_3_lo = qo_3_residual / qo_0_of_length;
   const double qo_0_rounded = qo_0 + qo_0_lo,
       qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
   const double qo_1_rounded = qo_1 + qo_1_lo,
@@ -1089,10 +1126,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = q->x * s;
-  const double scaled_s_1 = q->y * s;
-  const double scaled_s_2 = q->z * s;
-  const double scaled_s_3 = q->w * s;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1105,15 +1142,15 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
       v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
-      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
-      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
       v_n_e_left_rest = v_n_c - v_n_e_left,
       v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
       v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
@@ -1122,7 +1159,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
       v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
       v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_product = KSL_MUL(v_n, v_n), v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
@@ -1132,9 +1169,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
+      n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
+      n_lo = n_lost == 0.0 ? 0.0 : n_small;
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -1142,10 +1180,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
+      half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
+      half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
       divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
@@ -1155,22 +1193,27 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = v_y_0 / unit_0_of_divisor, unit_0_product = KSL_MUL(unit_0, unit_0_of_divisor),
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
       unit_0_rest = v_y_0 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_cross = unit_0 * unit_0_of_divisor_lo, unit_0_residual = unit_0_exact - unit_0_cross,
+      unit_0_cross = KSL_MUL(unit_0, unit_0_of_divisor_lo),
+      unit_0_residual = unit_0_exact - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1 = v_y_1 / unit_0_of_divisor,
+      unit_1_product = KSL_MUL(unit_1, unit_0_of_divisor),
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
       unit_1_rest = v_y_1 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_cross = unit_1 * unit_0_of_divisor_lo, unit_1_residual = unit_1_exact - unit_1_cross,
+      unit_1_cross = KSL_MUL(unit_1, unit_0_of_divisor_lo),
+      unit_1_residual = unit_1_exact - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2 = v_y_2 / unit_0_of_divisor,
+      unit_2_product = KSL_MUL(unit_2, unit_0_of_divisor),
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
       unit_2_rest = v_y_2 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_cross = unit_2 * unit_0_of_divisor_lo, unit_2_residual = unit_2_exact - unit_2_cross,
+      unit_2_cross = KSL_MUL(unit_2, unit_0_of_divisor_lo),
+      unit_2_residual = unit_2_exact - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
-  const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
+  const double angle = KSL_MUL(2.0, half), angle_cross2 = KSL_MUL(2.0, half_lo);
   const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
@@ -1203,10 +1246,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = q->x * s;
-  const double scaled_s_1 = q->y * s;
-  const double scaled_s_2 = q->z * s;
-  const double scaled_s_3 = q->w * s;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1219,15 +1262,15 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
       v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
-      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
-      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
       v_n_e_left_rest = v_n_c - v_n_e_left,
       v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
       v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
@@ -1236,7 +1279,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
       v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
       v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_product = KSL_MUL(v_n, v_n), v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
@@ -1246,9 +1289,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
+      n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
+      n_lo = n_lost == 0.0 ? 0.0 : n_small;
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -1256,14 +1300,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
+      half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
+      half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
-  const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
+  const double theta = KSL_MUL(2.0, half), theta_cross2 = KSL_MUL(2.0, half_lo);
   const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
       k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
@@ -1274,14 +1318,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       k_of_divisor_left_rest = divisor - k_of_divisor_left,
       k_of_divisor_right_rest = divisor_lo - k_of_divisor_right,
       k_of_divisor_lo = k_of_divisor_left_rest + k_of_divisor_right_rest,
-      k = k_of_theta / k_of_divisor, k_product = k * k_of_divisor,
+      k = k_of_theta / k_of_divisor, k_product = KSL_MUL(k, k_of_divisor),
       k_product_error = ksl_product_error(k, k_of_divisor, k_product),
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
-      k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
+      k_numerator = k_exact + k_of_theta_lo, k_cross = KSL_MUL(k, k_of_divisor_lo),
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = upper_0 * k, vector_0_cross2 = upper_0 * k_lo;
-  const double vector_1 = upper_1 * k, vector_1_cross2 = upper_1 * k_lo;
-  const double vector_2 = upper_2 * k, vector_2_cross2 = upper_2 * k_lo;
+  const double vector_0 = KSL_MUL(upper_0, k), vector_0_cross2 = KSL_MUL(upper_0, k_lo);
+  const double vector_1 = KSL_MUL(upper_1, k), vector_1_cross2 = KSL_MUL(upper_1, k_lo);
+  const double vector_2 = KSL_MUL(upper_2, k), vector_2_cross2 = KSL_MUL(upper_2, k_lo);
   const double vector_0_error = ksl_product_error(upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross2, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
@@ -1326,16 +1370,17 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)q->x * s;
-  const double y_1 = (double)q->y * s;
-  const double y_2 = (double)q->z * s;
-  const double y_3 = (double)q->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double y_0 = KSL_MUL((double)q->x, s);
+  const double y_1 = KSL_MUL((double)q->y, s);
+  const double y_2 = KSL_MUL((double)q->z, s);
+  const double y_3 = KSL_MUL((double)q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return (float)norm;
 }
 
@@ -1353,27 +1398,28 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)self->x * s;
-  const double y_1 = (double)self->y * s;
-  const double y_2 = (double)self->z * s;
-  const double y_3 = (double)self->w * s;
+  const double y_0 = KSL_MUL((double)self->x, s);
+  const double y_1 = KSL_MUL((double)self->y, s);
+  const double y_2 = KSL_MUL((double)self->z, s);
+  const double y_3 = KSL_MUL((double)self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->x * up;
-  const double enlarged_1 = (double)self->y * up;
-  const double enlarged_2 = (double)self->z * up;
-  const double enlarged_3 = (double)self->w * up;
+  const double enlarged_0 = KSL_MUL((double)self->x, up);
+  const double enlarged_1 = KSL_MUL((double)self->y, up);
+  const double enlarged_2 = KSL_MUL((double)self->z, up);
+  const double enlarged_3 = KSL_MUL((double)self->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -1395,27 +1441,28 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)q->x * s;
-  const double y_1 = (double)q->y * s;
-  const double y_2 = (double)q->z * s;
-  const double y_3 = (double)q->w * s;
+  const double y_0 = KSL_MUL((double)q->x, s);
+  const double y_1 = KSL_MUL((double)q->y, s);
+  const double y_2 = KSL_MUL((double)q->z, s);
+  const double y_3 = KSL_MUL((double)q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)q->x * up;
-  const double enlarged_1 = (double)q->y * up;
-  const double enlarged_2 = (double)q->z * up;
-  const double enlarged_3 = (double)q->w * up;
+  const double enlarged_0 = KSL_MUL((double)q->x, up);
+  const double enlarged_1 = KSL_MUL((double)q->y, up);
+  const double enlarged_2 = KSL_MUL((double)q->z, up);
+  const double enlarged_3 = KSL_MUL((double)q->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double qo_0 = quotient_0 * down;
-  const double qo_1 = quotient_1 * down;
-  const double qo_2 = quotient_2 * down;
-  const double qo_3 = quotient_3 * down;
+  const double qo_0 = KSL_MUL(quotient_0, down);
+  const double qo_1 = KSL_MUL(quotient_1, down);
+  const double qo_2 = KSL_MUL(quotient_2, down);
+  const double qo_3 = KSL_MUL(quotient_3, down);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -1510,15 +1557,15 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
       c_1 = c_1a - c_1b;
   const double c_2a = (double)q->x * (double)v->y, c_2b = (double)q->y * (double)v->x,
       c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->y * t_2, turn_0b = (double)q->z * t_1,
-      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = (double)q->z * t_0, turn_1b = (double)q->x * t_2,
-      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = (double)q->x * t_1, turn_2b = (double)q->y * t_0,
-      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL((double)q->y, t_2), turn_0b = KSL_MUL((double)q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL((double)q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL((double)q->z, t_0), turn_1b = KSL_MUL((double)q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL((double)q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL((double)q->x, t_1), turn_2b = KSL_MUL((double)q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL((double)q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -1540,15 +1587,15 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
       c_1 = c_1a - c_1b;
   const double c_2a = (double)q->y * (double)v->x, c_2b = (double)q->x * (double)v->y,
       c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->z * t_1, turn_0b = (double)q->y * t_2,
-      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = (double)q->x * t_2, turn_1b = (double)q->z * t_0,
-      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = (double)q->y * t_0, turn_2b = (double)q->x * t_1,
-      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL((double)q->z, t_1), turn_0b = KSL_MUL((double)q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL((double)q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL((double)q->x, t_2), turn_1b = KSL_MUL((double)q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL((double)q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL((double)q->y, t_0), turn_2b = KSL_MUL((double)q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL((double)q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -1579,7 +1626,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   const double d0 = pairs_0 - pairs_1;
   const double d1 = pairs_2 - pairs_3;
   const double d2 = pairs_4 - pairs_5;
-  const double twice = 2.0 * factor;
+  const double twice = KSL_MUL(2.0, factor);
   const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->z * (double)q->w,
       m_0 = m_0a - m_0b;
   const double m_1a = (double)q->x * (double)q->z, m_1b = (double)q->y * (double)q->w,
@@ -1589,15 +1636,15 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   const double m_3 = m_0a + m_0b;
   const double m_4 = m_1a - m_1b;
   const double m_5 = m_2b + m_2a;
-  const double R_00 = factor * d0;
-  const double R_01 = twice * m_0;
-  const double R_02 = twice * m_1;
-  const double R_10 = twice * m_3;
-  const double R_11 = factor * d1;
-  const double R_12 = twice * m_2;
-  const double R_20 = twice * m_4;
-  const double R_21 = twice * m_5;
-  const double R_22 = factor * d2;
+  const double R_00 = KSL_MUL(factor, d0);
+  const double R_01 = KSL_MUL(twice, m_0);
+  const double R_02 = KSL_MUL(twice, m_1);
+  const double R_10 = KSL_MUL(twice, m_3);
+  const double R_11 = KSL_MUL(factor, d1);
+  const double R_12 = KSL_MUL(twice, m_2);
+  const double R_20 = KSL_MUL(twice, m_4);
+  const double R_21 = KSL_MUL(twice, m_5);
+  const double R_22 = KSL_MUL(factor, d2);
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -1645,9 +1692,10 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
-      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
-      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
+  const double length_a = KSL_MUL(upper_0, upper_0), length_b = KSL_MUL(upper_1, upper_1),
+      length_c = length_a + length_b, length_d = KSL_MUL(upper_2, upper_2),
+      length_e = length_c + length_d, length_f = KSL_MUL(upper_3, upper_3),
+      length_g = length_e + length_f, length = sqrt(length_g);
   const double qo_0 = upper_0 / length;
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
@@ -1675,10 +1723,10 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = (double)q->x * s;
-  const double scaled_s_1 = (double)q->y * s;
-  const double scaled_s_2 = (double)q->z * s;
-  const double scaled_s_3 = (double)q->w * s;
+  const double scaled_s_0 = KSL_MUL((double)q->x, s);
+  const double scaled_s_1 = KSL_MUL((double)q->y, s);
+  const double scaled_s_2 = KSL_MUL((double)q->z, s);
+  const double scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1691,21 +1739,21 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;
@@ -1728,10 +1776,10 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = (double)q->x * s;
-  const double scaled_s_1 = (double)q->y * s;
-  const double scaled_s_2 = (double)q->z * s;
-  const double scaled_s_3 = (double)q->w * s;
+  const double scaled_s_0 = KSL_MUL((double)q->x, s);
+  const double scaled_s_1 = KSL_MUL((double)q->y, s);
+  const double scaled_s_2 = KSL_MUL((double)q->z, s);
+  const double scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1744,22 +1792,22 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double theta = 2.0 * half;
+  const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = upper_0 * k;
-  const double vector_1 = upper_1 * k;
-  const double vector_2 = upper_2 * k;
+  const double vector_0 = KSL_MUL(upper_0, k);
+  const double vector_1 = KSL_MUL(upper_1, k);
+  const double vector_2 = KSL_MUL(upper_2, k);
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;

@@ -1367,15 +1367,15 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -1386,24 +1386,24 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const double D_23_abs = fabs(D->m23), so_0a_size = KSL_MUL(D_23_abs, a_1_padded);
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const double D_13_abs = fabs(D->m13), so_0b_size = KSL_MUL(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const double D_03_abs = fabs(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const double D_03_abs = fabs(D->m03), so_1a_size = KSL_MUL(D_03_abs, a_2_padded);
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const double so_1b_size = KSL_MUL(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MUL(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
-  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
-  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
-  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
+  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
+  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
+  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1424,12 +1424,12 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -1437,11 +1437,11 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
   const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
   const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
   const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2853,15 +2853,15 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -2872,24 +2872,24 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const float D_23_abs = fabsf(D->m23), so_0a_size = KSL_MULF(D_23_abs, a_1_padded);
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const float D_13_abs = fabsf(D->m13), so_0b_size = KSL_MULF(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const float D_03_abs = fabsf(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const float D_03_abs = fabsf(D->m03), so_1a_size = KSL_MULF(D_03_abs, a_2_padded);
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const float so_1b_size = KSL_MULF(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MULF(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 2.9802328e-07f * so_2_padded;
-  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
-  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
-  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
+  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
+  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
+  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2910,12 +2910,15 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0e_size = so_0c_size + so_0d_abs;
@@ -2926,11 +2929,11 @@ static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
       so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
       so_2e_size = so_2c_size + so_2d_abs;
   const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
   const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
   const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

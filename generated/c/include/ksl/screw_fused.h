@@ -694,15 +694,15 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m23 * a_1, so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = D->m03 * a_2, so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = D->m13 * a_0, so_2 = fma(-D->m03, a_1, so_2a);
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -720,11 +720,11 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -1422,15 +1422,15 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m23 * a_1, so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = D->m03 * a_2, so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = D->m13 * a_0, so_2 = fmaf(-D->m03, a_1, so_2a);
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -1449,11 +1449,11 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
