@@ -18,9 +18,9 @@ def neutral(tree: Tree) -> tuple[float, ...]:
     return tuple(found)
 
 
-def integrated(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:
+def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
+               phi: Sequence[Number]) -> list[Number]:
     """q moved by phi: q + phi; quaternions times exp(phi/2), positions by that screw motion."""
-    q, phi = recorder.argument("q"), recorder.argument("phi")
     found: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "a1841c552bc3db04")
+COMPILED: bool = is_compiled("coscrew._gufunc", "ec3e82d4db8bef87")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "2e219088b8a4cf2c")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9c6655d3b62a94f6")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "22d0d46fd705bcc7")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "9eacf7771f1786d4")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
