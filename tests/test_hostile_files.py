@@ -174,7 +174,8 @@ def test_every_byte_of_a_file_may_be_wrong(tmp_path):
 
 NUMBERS = ("nan", "inf", "-inf", "1e400", "-1e400", "9" * 400, "0x" + "f" * 300, "1e-400", "true",
            "[]", "{}", "''", "1979-05-27", "'nan'", "'1/0'", "'sqrt(-1)'", "'2'")
-PLACES = {"mass": "mass = 1.5", "com": "com = [0, 0, 0.25]", "inertia": "inertia = [0.1, 0.1, 0.01]",
+PLACES = {"mass": "mass = 1.5", "com": "com = [0, 0, 0.25]",
+          "inertia": "inertia = [0.1, 0.1, 0.01]",
           "axis": "axis = [1, 0, 0]", "damping": "damping = 0.25", "lower": "lower = -1",
           "xyz": "xyz = [0, 0, 0.5]", "rpy": "rpy = [1.57079632679, 0, 0]",
           "multiplier": "multiplier = 0.5"}
@@ -208,9 +209,11 @@ def test_marks_of_byte_order_and_of_other_systems_lines_are_read(tmp_path):
 
 @pytest.mark.parametrize("words", [
     "generate SCENE -o FILE", "generate SCENE -o FILE/x", "generate SCENE -o /dev/null/x",
-    "generate SCENE", "generate FOLDER -o OUT", "generate none.toml -o OUT", "generate SCENE -o OUT "
-    "--family vec3", "generate SCENE -o OUT --precision single", "generate --family nope",
-    "generate --precision nope", "generate --language nope", "simulate FOLDER", "simulate /dev/zero",
+    "generate SCENE", "generate FOLDER -o OUT", "generate none.toml -o OUT",
+    "generate SCENE -o OUT --family vec3", "generate SCENE -o OUT --precision single",
+    "generate --family nope",
+    "generate --precision nope", "generate --language nope", "simulate FOLDER",
+    "simulate /dev/zero",
     "simulate none.toml", "simulate SCENE --output /none/x.csv", "simulate SCENE --output x.txt",
     "simulate SCENE --plot FOLDER", "simulate SCENE --view /none/x.html", "check none.toml",
     "cost none.toml", "effects nope", "report --op nope", "report --minutes nan",

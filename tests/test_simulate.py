@@ -28,8 +28,8 @@ from tests import scene_texts as texts
 from tests.processes import interruptible
 from tests.simulated import kernels, run, scene_file  # noqa: F401
 
-INTEGRATORS = ("semi-implicit-euler", "linear-implicit-euler", "rk4", "dop853", "radau")
-ORDERS = {"semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
+ORDERS = {"leapfrog": 2, "semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
+INTEGRATORS = (*ORDERS, "dop853", "radau")
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 
 
@@ -59,9 +59,8 @@ def test_a_damped_spring_swings_as_its_closed_form(kernels, integrator, precisio
     found = run(kernels["SPRING"], precision, integrator=integrator)
     truth = np.array([[float(x) for x in texts.spring(t)] for t in found.t])
     error = np.abs(np.column_stack((found.q, found.v)) - truth).max(0)
-    first_order = ORDERS.get(integrator) == 1
-    allowed = (6e-4 if first_order else 1e-9) + 4e3 * ROUNDOFF[precision]
-    assert (error / (0.1, 0.1 * math.sqrt(50))).max() < (0.05 if first_order else allowed)
+    allowed = {1: 0.05, 2: 5e-5}.get(ORDERS.get(integrator), 1e-9) + 4e3 * ROUNDOFF[precision]
+    assert (error / (0.1, 0.1 * math.sqrt(50))).max() < allowed
 
 
 @pytest.mark.parametrize("integrator", ("rk4", "dop853", "radau"))

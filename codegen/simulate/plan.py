@@ -6,14 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
 _SAME = 1e-6  # of `every`: times closer than that are the same
 MOST_SAMPLES = 10_000_000
 MOST_STEPS = 10**12  # weeks of the fastest scenes
-ADAPTIVE = ("dop853", "radau")
-"""SciPy's integrators, by the names scenes call them."""
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,7 @@ REFUSED = {
 MARK = "/* What KSL declares beside formulas. */"
 
 _NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
+           "quaternion": (),
            "mat3x3": ("vec3", "axis")}  # header → those its text calls
 _PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, where they are several
 
