@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "4ffe8d3dced5e308")
+COMPILED: bool = is_compiled("coscrew._gufunc", "114c496c596fdae0")
 
 if COMPILED:
     from coscrew._gufunc import (
