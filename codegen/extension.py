@@ -51,7 +51,7 @@ def extension_sources(selection: Selection, kernels: dict[Operation, Program], t
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=selection.banner, accesses=accesses,
                                    families=families, amalgamation=header, **asdict(best))}
     dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in selection.precisions]
-    package = f"coscrew.{tier}" if tier else "coscrew"
+    package = f"coscrew.{name}" if name else "coscrew"
     sources["promoter.c"] = render("gufunc/promoter.c", banner=selection.banner, dtypes=dtypes,
                                    package=package)
     for family in families:
