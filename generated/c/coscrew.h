@@ -12986,7 +12986,7 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = q->w * q->w;
@@ -13101,7 +13101,7 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -13228,7 +13228,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -13707,7 +13707,7 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = q->w * q->w;
@@ -13822,7 +13822,7 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -13946,7 +13946,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -14268,7 +14268,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -14561,7 +14561,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
-   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
+   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
   const double size_1 = fabs(v->y);
@@ -14662,7 +14662,7 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
-   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
+   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
   const double size_1 = fabs(v->y);
@@ -15034,7 +15034,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -15139,7 +15139,7 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -15356,7 +15356,7 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -15573,7 +15573,7 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -15766,7 +15766,7 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -16393,7 +16393,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -16675,7 +16675,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
-   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
+   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
   const float size_1 = fabsf(v->y);
@@ -16774,7 +16774,7 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
      but 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
-   Error <= R: 5 u of its largest component for |v| <= π; searched, not proved. */
+   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
   const float size_1 = fabsf(v->y);
@@ -17139,7 +17139,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -17241,7 +17241,7 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -17447,7 +17447,7 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -17653,7 +17653,7 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -17844,7 +17844,7 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 9 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);

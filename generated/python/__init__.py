@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "2fec3cf08fbf87f4")
+COMPILED: bool = is_compiled("coscrew._gufunc", "89e58f4490d63aea")
 
 if COMPILED:
     from coscrew._gufunc import (

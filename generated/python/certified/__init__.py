@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "177cac8dd41abe1e")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "bde5c082c03783c3")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
