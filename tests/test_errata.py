@@ -1,4 +1,4 @@
-"""The errata of the page `Coscrews`: the printed formula fails on an exact example, ours holds."""
+"""The errata of the page `Coscrews`, and of KSL: theirs fails on an exact example, ours holds."""
 
 import coscrew
 import numpy as np
@@ -122,3 +122,48 @@ def test_velocity_in_the_derivative_operator(sample):
     derivative = coadjoint_rate @ exact.CoAd_inverse(D)
     assert (derivative == kernels.coad(exact.joined(t_rate - np.cross(w, t), w))).all()
     assert (derivative != kernels.coad(exact.joined(t_rate, w))).any()
+
+
+# KSL's own code, where what it computes is not what its names promise.
+
+
+def test_product_with_an_inverse_rotation(sample):
+    """KSL's product_drdrinv multiplies columns by columns: R1^T R2, not R1 R2^T."""
+    R1, R2 = sample.rotation(), sample.rotation()
+    assert (kernels.product_drdrinv(R1, R2) == R1 @ R2.T).all()
+    assert (R1.T @ R2 != R1 @ R2.T).any()
+    assert (kernels.product_drdr(kernels.product_drdrinv(R1, R2), R2) == R1).all()
+
+
+def test_products_with_inverse_displacements(sample):
+    """So are the rotations of its product_ddrinv and product_ddinv; the translation of the first is
+    added to what was there, that of product_dinvd is R1 t2 - R1^T t1."""
+    D1, D2 = sample.displacement(), sample.displacement()
+    (R1, t1), (R2, t2) = exact.R_t(D1), exact.R_t(D2)
+    assert (kernels.product_ddrinv(D1, R2) == exact.displacement(R1 @ R2.T, t1)).all()
+    assert (kernels.product_dd(kernels.product_ddinv(D1, D2), D2) == D1).all()
+    assert (t1 - R1.T @ R2 @ t2 != exact.R_t(kernels.product_ddinv(D1, D2))[1]).any()
+    assert (kernels.product_dd(D1, kernels.product_dinvd(D1, D2)) == D2).all()
+    assert (R1 @ t2 - R1.T @ t1 != exact.R_t(kernels.product_dinvd(D1, D2))[1]).any()
+
+
+def test_axis_and_angle_of_small_and_half_turns():
+    """By the arc cosine of the trace, KSL's getAxisAngle finds no angle of 1e-9, and by its last
+    diagonal entry the axis x of half a turn about y."""
+    small = coscrew.double.mat3x3_from_axis_angle(np.array([0.6, 0, 0.8]), 1e-9)
+    assert np.arccos((np.trace(small) - 1) / 2) == 0
+    angle, axis = coscrew.double.axis_angle_from_mat3x3(small)
+    assert abs(angle - 1e-9) <= 1e-24 and np.abs(axis - [0.6, 0, 0.8]).max() <= 1e-15
+    about_y = np.diag([-1.0, 1, -1])
+    assert about_y[2, 2] == -1  # for which KSL's axis is (1, 0, 0)
+    angle, axis = coscrew.double.axis_angle_from_mat3x3(about_y)
+    assert angle == np.pi and (np.abs(axis) == [0, 1, 0]).all()
+
+
+def test_inverses_of_matrices_without_a_leading_entry_and_of_small_ones():
+    """KSL's mat3x3_invert exchanges no rows, and calls what is below 1e-12 singular."""
+    turned = np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])
+    determinant, inverse = coscrew.double.mat3x3_inverse(turned)
+    assert determinant == 1 and (inverse == turned.T).all()
+    determinant, inverse = coscrew.double.mat3x3_inverse(np.eye(3) * 2.0**-50)
+    assert determinant == 2.0**-150 and (inverse == np.eye(3) * 2.0**50).all()

@@ -5,6 +5,7 @@ import time
 
 import pytest
 
+from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 
@@ -169,3 +170,78 @@ def test_every_byte_of_a_file_may_be_wrong(tmp_path):
                 read_scene(path, CATALOGUE)
             except SceneError:
                 pass
+
+
+NUMBERS = ("nan", "inf", "-inf", "1e400", "-1e400", "9" * 400, "0x" + "f" * 300, "1e-400", "true",
+           "[]", "{}", "''", "1979-05-27", "'nan'", "'1/0'", "'sqrt(-1)'", "'2'")
+PLACES = {"mass": "mass = 1.5", "com": "com = [0, 0, 0.25]",
+          "inertia": "inertia = [0.1, 0.1, 0.01]",
+          "axis": "axis = [1, 0, 0]", "damping": "damping = 0.25", "lower": "lower = -1",
+          "xyz": "xyz = [0, 0, 0.5]", "rpy": "rpy = [1.57079632679, 0, 0]",
+          "multiplier": "multiplier = 0.5"}
+
+
+@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("number", NUMBERS, ids=lambda text: text[:12])
+def test_what_is_no_number_is_refused_wherever_one_is_wanted(refused, place, number):
+    old = PLACES[place]
+    assert old in MODEL
+    for new in (f"{place} = {number}", f"{place} = [{number}, {number}, {number}]"):
+        refused("arm.toml", MODEL.replace(old, new, 1).encode())
+
+
+@pytest.mark.parametrize("contents, words", [
+    (MODEL.encode("utf-16"), "is not UTF-8"), (b"# \xe9\n" + MODEL.encode(), "is not UTF-8"),
+    (MODEL.replace("\n", "\r").encode(), "wanted a TOML file"),
+    (MODEL.encode() + b"\0", "wanted a TOML file"),
+    (MODEL.encode() + b"[bodies.tool]\nmass = 1\n", "wanted a TOML file"),
+    (MODEL.replace("mass = 1.5", "mass = 1.5\nmass = 2").encode(), "wanted a TOML file")])
+def test_files_of_other_encodings_and_doubled_keys(refused, contents, words):
+    assert words in refused("arm.toml", contents)
+
+
+def test_marks_of_byte_order_and_of_other_systems_lines_are_read(tmp_path):
+    path = tmp_path / "arm.toml"
+    for contents in (b"\xef\xbb\xbf" + MODEL.encode(), MODEL.replace("\n", "\r\n").encode()):
+        path.write_bytes(contents)
+        assert len(read_scene(path, CATALOGUE).model.bodies) == 3
+
+
+@pytest.mark.parametrize("words", [
+    "generate SCENE -o FILE", "generate SCENE -o FILE/x", "generate SCENE -o /dev/null/x",
+    "generate SCENE", "generate FOLDER -o OUT", "generate none.toml -o OUT",
+    "generate SCENE -o OUT --family vec3", "generate SCENE -o OUT --precision single",
+    "generate --family nope",
+    "generate --precision nope", "generate --language nope", "simulate FOLDER",
+    "simulate /dev/zero",
+    "simulate none.toml", "simulate SCENE --output /none/x.csv", "simulate SCENE --output x.txt",
+    "simulate SCENE --plot FOLDER", "simulate SCENE --view /none/x.html", "check none.toml",
+    "cost none.toml", "effects nope", "report --op nope", "report --minutes nan",
+    "report --seed -1", "report --output /dev/null/x", "report --compare /none",
+    "report --compare FILE", "report --hard-cases /none"])
+def test_commands_end_in_one_line_and_write_nothing(tmp_path, capsys, words):
+    folder = tmp_path / "in"
+    folder.mkdir()
+    (folder / "scene.toml").write_text(MODEL)
+    (folder / "file").write_text("x")
+    names = {"SCENE": folder / "scene.toml", "FILE": folder / "file", "FOLDER": folder,
+             "OUT": tmp_path / "out"}
+    given = [next((word.replace(x, str(path)) for x, path in names.items() if x in word), word)
+             for word in words.split()]
+    assert main(given) == 2
+    said = capsys.readouterr()
+    told = [line for line in said.err.splitlines() if not line.startswith("scene.toml: joint ")]
+    assert said.out == "" and len(told) == 1 and told[0].startswith("coscrew: ")
+    assert sorted(x.name for x in tmp_path.rglob("*")) == ["file", "in", "scene.toml"]
+
+
+@pytest.mark.parametrize("words", [
+    "simulate S --until nan", "simulate S --until -1", "simulate S --until 1e400",
+    "simulate S --step 0", "simulate S --set x", "simulate S --set x=nan", "simulate S --set =1",
+    "simulate S --precision half", "simulate S --implausible maybe", "simulate S more", "cost S "
+    "--digits 5", "nope", "", "--nope", "report --minutes x"])
+def test_options_that_mean_nothing_end_in_usage_and_one_line(capsys, words):
+    with pytest.raises(SystemExit) as ended:
+        main(words.split())
+    *usage, last = capsys.readouterr().err.splitlines()
+    assert ended.value.code == 2 and usage[0].startswith("usage: coscrew") and "error: " in last

@@ -76,7 +76,8 @@ def test_a_table_that_could_be_either_is_refused_with_the_way_round(read, effect
         caught.value)
     assert f'wanted {several} = ["{name}"] with numbers' in str(caught.value)
     values = lines(given(effect, parameter))
-    round_ = read(effect.place, name, f'[effects.{effect.name}]\n{several} = ["{name}"]\n{values}')
+    several_of = f'[effects.{effect.name}]\n{several} = ["{name}"]\n'
+    round_ = read(effect.place, name, several_of + values)
     plain = read(effect.place, "plain", f"[effects.{effect.name}.plain]\n{values}")
     assert round_ == {name: plain["plain"]}
 
@@ -86,9 +87,11 @@ def test_a_table_under_a_parameters_name_alone_is_by_places(read, effect, parame
     values = {key: text for key, text in given(effect, parameter).items() if key != parameter.name}
     if parameter.name == "kind" or parameter.kind in WRITTEN:
         return  # the rest depends on it; and lists are given in the tables of their places
-    text = f"[effects.{effect.name}]\n{lines(values)}{parameter.name} = {{ plain = 2, other = 3 }}\n"
+    text = (f"[effects.{effect.name}]\n{lines(values)}"
+            f"{parameter.name} = {{ plain = 2, other = 3 }}\n")
     if parameter.kind == "choice":
-        text = text.replace("= 2,", f"= {value(parameter)},").replace("= 3", f"= {value(parameter)}")
+        word = value(parameter)
+        text = text.replace("= 2,", f"= {word},").replace("= 3", f"= {word}")
     found = read(effect.place, "plain", text)
     assert set(found) == {"plain", "other"}
     if parameter.kind == "number":

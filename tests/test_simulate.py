@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plan import Plan, plan
 from coscrew_codegen.simulate.progress import line
@@ -27,8 +28,8 @@ from tests import scene_texts as texts
 from tests.processes import interruptible
 from tests.simulated import kernels, run, scene_file  # noqa: F401
 
-INTEGRATORS = ("semi-implicit-euler", "linear-implicit-euler", "rk4", "dop853", "radau")
-ORDERS = {"semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
+ORDERS = {"leapfrog": 2, "semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
+INTEGRATORS = (*ORDERS, "dop853", "radau")
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 
 
@@ -58,9 +59,8 @@ def test_a_damped_spring_swings_as_its_closed_form(kernels, integrator, precisio
     found = run(kernels["SPRING"], precision, integrator=integrator)
     truth = np.array([[float(x) for x in texts.spring(t)] for t in found.t])
     error = np.abs(np.column_stack((found.q, found.v)) - truth).max(0)
-    first_order = ORDERS.get(integrator) == 1
-    allowed = (6e-4 if first_order else 1e-9) + 4e3 * ROUNDOFF[precision]
-    assert (error / (0.1, 0.1 * math.sqrt(50))).max() < (0.05 if first_order else allowed)
+    allowed = {1: 0.05, 2: 5e-5}.get(ORDERS.get(integrator), 1e-9) + 4e3 * ROUNDOFF[precision]
+    assert (error / (0.1, 0.1 * math.sqrt(50))).max() < allowed
 
 
 @pytest.mark.parametrize("integrator", ("rk4", "dop853", "radau"))
@@ -275,3 +275,11 @@ def test_progress_is_shown_on_a_terminal(tmp_path):
     with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double") as (
             _, master):
         assert re.search(wanted, said_until(master, wanted))
+
+
+@pytest.mark.parametrize("asked, words", [
+    ({"step": 1e-300}, "steps of 1e-300 s; wanted at most 1e+12"),
+    ({"integrator": ""}, "integrator: ''; wanted one of")])
+def test_runs_that_would_never_end_or_mean_nothing_are_refused(kernels, asked, words):
+    with pytest.raises(SimulateError, match=re.escape(words)):
+        run(kernels["SPRING"], **asked)

@@ -85,8 +85,8 @@ def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch)
 
 
 @pytest.mark.parametrize("arguments, message", (
-    (["--integrator", "rk5"], "integrator: 'rk5'; wanted one of semi-implicit-euler, "
-     "linear-implicit-euler, rk4, dop853, radau; did you mean 'rk4'?"),
+    (["--integrator", "rk5"], "integrator: 'rk5'; wanted one of leapfrog, "
+     "semi-implicit-euler, linear-implicit-euler, rk4, dop853, radau; did you mean 'rk4'?"),
     (["--set", "block.mas=2"], "did you mean 'block.mass'?"),
     (["--output", "out.xls"], "wanted a name that ends in .csv or .npz or .parquet"),
     (["--output", "nowhere/out.csv"], "cannot write nowhere/out.csv"),

@@ -18,7 +18,8 @@ ROOT = Path(__file__).parents[1]
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
 MAJOR, MINOR, PATCH = map(int, VERSION.split("."))
 
-HEADS = {suffix: (f"{start} Made by `coscrew generate", f"{start} SPDX-License-Identifier: MIT{end}",
+HEADS = {suffix: (f"{start} Made by `coscrew generate",
+                  f"{start} SPDX-License-Identifier: MIT{end}",
                   f"{start} coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.{end}")
          for suffixes, start, end in ((".c .h", "/*", " */"), (".py .pyi", "#", ""))
          for suffix in suffixes.split()}

@@ -113,7 +113,10 @@ def _inputs(function: Function, its: System, trajectory: Trajectory) -> list[np.
     chosen = np.resize(np.arange(len(trajectory.t)), ELEMENTS)
     t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
     values = {"t": t, "p": np.tile(np.array(its.p), (ELEMENTS, 1)), "q": q, "v": v,
-              "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v}
+              "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v,
+              "h": np.full(ELEMENTS, 1e-3)}
+    if its.has("free_momentum"):
+        values["c"] = its.call("free_momentum", q=q, v=v)
     return [values[a.name] for a in function.program.inputs]
 
 

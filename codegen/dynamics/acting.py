@@ -58,13 +58,17 @@ class Paired:
 
 
 class Acting:
-    """The effects of a scene on one motion; each is evaluated once."""
+    """The effects of a scene on one motion, at its time or at another; each is evaluated once.
 
-    def __init__(self, scene: Scene, motion: Motion):
+    `later` are by how much joints see it later, by link."""
+
+    def __init__(self, scene: Scene, motion: Motion, t: Number | None = None,
+                 later: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
         recorder = motion.recorder
         self.recorder = recorder
-        self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.t = t if t else recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.later = later or {}
         self.torques: dict[int, list[Torque]] = {}
         self.pushes: dict[int, list[Pushed]] = {}
         self.pairs: list[Paired] = []
@@ -79,12 +83,13 @@ class Acting:
         return self
 
     def _apply(self, effect: Effect, applied: Applied) -> None:
-        values = settings(self.recorder, applied.values, self.t)
         if effect.joint_torque:
             link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
-            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
-                               self.t)
+            t = self.t + self.later.get(link, 0)
+            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0], t)
+            values = settings(self.recorder, applied.values, t)
             self.torques.setdefault(link, []).append(effect.joint_torque(state, values))
+        values = settings(self.recorder, applied.values, self.t)
         if effect.body_force:
             state = self._body(applied.on)
             self._push(state, effect.body_force(state, values))

@@ -5,7 +5,7 @@ linear: each link answers an acceleration of its frame with its articulated iner
 no term holds a velocity.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.dynamics.bodies import UPPER, Rigid, symmetric
@@ -16,6 +16,9 @@ from coscrew_codegen.dynamics.motion import Motion
 from coscrew_codegen.dynamics.numbers import Number, Vector, add, cross, rotated_back, scaled
 
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
+Joint = Callable[[int, Number], tuple[Number, Number]]
+"""Of a speed by number and the inertia it feels: the torque that acts along it, and an inertia that
+it has of its own."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +81,7 @@ class Opened:
     S: tuple[tuple[Number, ...], ...]  # screws of the freedoms, six numbers each
     U: tuple[Column, ...]  # A S, a column a freedom
     D: Factors  # of S^T A S + inertias of the joint
+    torques: tuple[Number, ...]  # what acts along the freedoms
     W: tuple[Column, ...]  # U D^-1
     axes: frozenset[int]  # components that are freedoms themselves, without inertia of their own
     zero: Number
@@ -95,37 +99,37 @@ def freedoms(motion: Motion, number: int) -> tuple[tuple[Number, ...], ...]:
         ((*motion.zero, *axis),)
 
 
-def opened(motion: Motion, number: int, body: Articulated, own: Sequence[Number]) -> Opened:
-    """The joint before a link, `own` the inertia of each of its freedoms alone."""
+def opened(motion: Motion, number: int, body: Articulated, joint: Joint) -> Opened:
+    """The joint before a link, with what it has of its own."""
     zero = motion.zero[0]
     S = freedoms(motion, number)
     U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
               for s in S)
     D = [[_sum(zero, (s[k] * u[k] for k in range(6))) for u in U] for s in S]
-    for k, inertia in enumerate(own):
+    own = [joint(k, D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
+    for k, (_, inertia) in enumerate(own):
         D[k][k] = D[k][k] + inertia
     factors = factored(D)
     W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
-    pure = all(x.is_zero for x in own)
+    pure = all(inertia.is_zero for _, inertia in own)
     axes = frozenset(s.index(one) for s in S for one in s if one.constant == 1) if pure else ()
-    return Opened(S, U, factors, W, frozenset(axes), zero)
+    return Opened(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
 
 
 def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
-                  torques: Sequence[Number], own: Sequence[Number]) -> list[Number]:
-    """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0,
-    torques what acts at the joints, `own` the inertia of every freedom alone."""
+                  joint: Joint) -> list[Number]:
+    """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0."""
     links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
     joints: list[tuple[Opened, list[Number]]] = []
     for number in reversed(range(len(links))):
         link = links[number]
         with motion.recorder.part(f"{motion.names[number]}_articulated", link.name):
-            joint = opened(motion, number, body[number], own[link.v.start:link.v.stop])
-            rest = [torques[k] - x for k, x in
-                    zip(link.v, along(motion, number, wrench[number]), strict=True)]
-            joints.append((joint, rest))
+            free = opened(motion, number, body[number], joint)
+            rest = [torque - x for torque, x in
+                    zip(free.torques, along(motion, number, wrench[number]), strict=True)]
+            joints.append((free, rest))
             if link.parent >= 0:
-                _hand_on(motion, number, joint, rest, body, wrench)
+                _hand_on(motion, number, free, rest, body, wrench)
     return _outwards(motion, joints[::-1])
 
 

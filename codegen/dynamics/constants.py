@@ -34,8 +34,8 @@ _EXACT = {"abs": abs, "min": min, "max": max, "number": lambda x: x}
 def constant(text: str) -> Fraction:
     """The number that a formula without t is: exactly if it is rational, else to 50 digits.
 
-    Raises FormulaError for what is no formula, for t, for a number alone, and for numbers that are not finite or
-    neither 0 nor of a size from 1e-300 to 1e300."""
+    Raises FormulaError for what is no formula, for t, for a number alone, and for numbers that
+    are not finite or neither 0 nor of a size from 1e-300 to 1e300."""
     formula = Formula(text)
     if formula.is_number:
         raise FormulaError(f"the text {text!r}; wanted the number, without quotes")

@@ -46,6 +46,14 @@ class ParameterOf:
 
 
 @dataclass(frozen=True)
+class Contact:
+    """Contact by Hertz's law, k δ^1.5: steps are split while it is closed or closes."""
+
+    k: "Number"
+    depth: "Number"  # δ, zero where it is open
+
+
+@dataclass(frozen=True)
 class Torque:
     """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at
     least 0, for implicit steps; its potential energy, where it has one; the power of what has none
@@ -59,6 +67,7 @@ class Torque:
     stiffness: "Number | None" = None
     energy: "Number | None" = None
     power: "Number | None" = None
+    contact: Contact | None = None
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,9 @@
 """The functions of a scene: each a recording of its own, which holds what its outputs need."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from coscrew_codegen.dynamics import composite, coordinates, energies, forward, frames, inverse
+from coscrew_codegen.dynamics import (composite, coordinates, energies, floating, forward, frames,
+                                      inverse, leapfrog)
 from coscrew_codegen.dynamics.acting import Acting
 from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.formulas import Formula
@@ -13,10 +14,9 @@ from coscrew_codegen.dynamics.record import Recorder, array, headings
 from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.dynamics.tree import Tree, tree_of
+from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-
-STEPS = ("semi_implicit_euler", "linear_implicit_euler", "rk4")
 
 _BODY_FRAME = "in the frame of the body, at its origin"
 
@@ -71,7 +71,7 @@ class _Derivation:
         return SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(self._all()), STEPS, scene.precisions)
+            tuple(self._all()), tuple(STEPS), scene.precisions)
 
     def _all(self):
         yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
@@ -82,9 +82,12 @@ class _Derivation:
         joints = [link.joint.name for link in self.tree.links]
         yield from (self._reaction(joint, name) for joint, name in
                     zip(joints, identifiers(joints), strict=True) if joint in asked)
-        yield from (self._integrated(), self._implicit())
+        yield from (self._integrated(), self._implicit(), self._leapfrog())
         if any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
             yield self._chart()
+        if floating.floating(self.scene, self.tree):
+            yield from self._kept()
+        yield from self._split()
 
     # one function
 
@@ -92,10 +95,10 @@ class _Derivation:
                   compute: Callable[[Recording], Sequence[Sequence[Number]]],
                   dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
         """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
-        given = [*(["t"] if acted and self.timed else []),
+        given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
                  *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
-                 *(x for x in inputs.split() if x != "h")]
+                 *(x for x in inputs.split() if x not in ("t", "h"))]
         recorder = Recorder([self.inputs[x] for x in given])
         try:
             results = compute(Recording(self.scene, self.tree, self.names, recorder))
@@ -149,13 +152,56 @@ class _Derivation:
             "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
             [self.inputs["a"]], compute, acted=True)
 
+    def _leapfrog(self) -> Function:
+        def compute(x: Recording):
+            q, v = leapfrog.step(x)
+            return [*([[x.recorder.argument("t")[0] + x.recorder.argument("h")[0]]]
+                      if self.timed else []), q, v]
+
+        return self._function(
+            "leapfrog", "t, q and v after drift, kick and drift", "h q v",
+            [self.inputs[x] for x in (*(["t"] if self.timed else []), "q", "v")], compute,
+            acted=True, internal=True)
+
+    def _kept(self) -> Iterator[Function]:
+        count = len(floating.floating(self.scene, self.tree))
+        c = array("c", (count, 6), "in kg m/s, kg m^2/s")
+        free = ", ".join(self.tree.links[n].name
+                         for n in floating.floating(self.scene, self.tree))
+        yield self._function(
+            "free_momentum", f"c = (p; L) of what floats free ({free}, and what hangs on it): "
+            "linear momentum, and angular momentum about its centre of mass, in the world's axes",
+            "q v", [c], lambda x: [floating.momentum(x)])
+        self.inputs["c"] = c
+        yield self._function(
+            "with_free_momentum", "v, where what floats free moves as a whole so that its momentum "
+            "is c = (p; L) after t seconds of gravity, (p + m g t; L): after each step it undoes "
+            "what integration and rounding change, for all times", "t q v c", [self.inputs["v"]],
+            lambda x: [floating.corrected(x)])
+
+    def _split(self) -> Iterator[Function]:
+        closing = self._function(
+            "closing_contacts", "count: how many limits are closed, or would be if joints moved on "
+            "with v for h", "h q v", [array("count", ())], lambda x: [[leapfrog.closing(x)]])
+        if not closing.program.instructions:
+            return
+        yield closing
+        yield self._function(
+            "parts", "count, part = h/count: in how many parts a step of h is taken, to resolve "
+            "the limits that close; part is not a number where that would be more than "
+            f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
+            lambda x: [[y] for y in leapfrog.split(x)])
+
     def _implicit(self) -> Function:
         def compute(x: Recording):
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
-            zero = [x.recorder.number(0)] * self.tree.nv
-            return [forward.accelerations(motion, acting, x.rigids, x.inertias, zero,
-                                          x.recorder.argument("h")[0])]
+            h, = x.recorder.argument("h")
+
+            def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
+                return (d + k * h) * h, k * h
+
+            return [forward.implicit(motion, acting, x.rigids, x.inertias, weights).a]
 
         return self._function(
             "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
@@ -250,7 +296,8 @@ class _Derivation:
 
     def _integrated(self) -> Function:
         def compute(x: Recording):
-            return [coordinates.integrated(x.recorder, self.tree, self.names)]
+            q, phi = x.recorder.argument("q"), x.recorder.argument("phi")
+            return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
 
         return self._function(
             "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "

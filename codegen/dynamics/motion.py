@@ -34,18 +34,22 @@ def _of_link(compute: Callable[["Motion", int], object]) -> Callable[["Motion", 
 
 
 class Motion:
-    """The motion of all links for given q, v, a (those that are left out are zero)."""
+    """The motion of all links for given q, v, a (those that are left out are zero); `at` has a q
+    and a v other than the function's."""
 
     def __init__(self, recorder: Recorder, tree: Tree, names: Sequence[str],
-                 gravity: Vector | None = None, moving: bool = True, accelerating: bool = True):
+                 gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
+                 at: tuple[Sequence[Number], Sequence[Number]] | None = None):
         self.recorder, self.tree, self.names = recorder, tree, names
         self._known: dict[str, dict[int, object]] = {}
         zero = recorder.number(0)
         self.zero: Vector = (zero, zero, zero)
         self.gravity = gravity or self.zero
-        self._q = recorder.argument("q") if recorder.has("q") else ()
         still = (zero,) * tree.nv
-        self._v = recorder.argument("v") if moving and recorder.has("v") else still
+        self._q = recorder.argument("q") if recorder.has("q") else ()
+        self.v = recorder.argument("v") if moving and recorder.has("v") else still
+        if at:
+            self._q, self.v = at
         self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
         self.still = not (moving and recorder.has("v"))
 
@@ -67,7 +71,7 @@ class Motion:
 
     def speeds(self, link: int) -> tuple[Number, ...]:
         """v of the joint before the link."""
-        return self._rates(link, self._v)
+        return self._rates(link, self.v)
 
     def accelerations(self, link: int) -> tuple[Number, ...]:
         """a of the joint before the link."""

@@ -1,8 +1,8 @@
 """Numbers that a precision cannot hold are refused before anything is emitted with them.
 
-What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what is
-smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal, as
-products of what files hold where they mean zero are: 1.7e-19 kg m².
+What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what
+is smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal,
+as products of what files hold where they mean zero are: 1.7e-19 kg m².
 """
 
 from collections.abc import Iterator

@@ -1,5 +1,6 @@
 """One function of a scene while it is recorded, and what most functions start from."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -22,11 +23,12 @@ class Recording:
     names: tuple[str, ...]
     recorder: Recorder
 
-    def motion(self, moving: bool = True, accelerating: bool = True,
-               falling: bool = True) -> Motion:
-        """The motion for the function's inputs; `falling`: in the scene's gravity."""
+    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
+               at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
+        """The motion for the function's inputs, or at a q and v of its own; `falling`: in the
+        scene's gravity."""
         down = gravity(self.scene, self.recorder) if falling else None
-        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating)
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
 
     @cached_property
     def rigids(self) -> list[Rigid]:

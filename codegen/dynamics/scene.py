@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.formulas import Formula
+from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
@@ -45,7 +46,7 @@ class Run:
     """How to integrate: `step` is of the emitted integrators, the tolerances of SciPy's."""
 
     duration: float = 1.0
-    integrator: str = "semi-implicit-euler"
+    integrator: str = DEFAULT
     step: float = 1e-3
     rtol: float = 1e-9
     atol: float = 1e-9

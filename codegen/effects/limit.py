@@ -1,6 +1,7 @@
 """Limits of a joint: contact by Hunt and Crossley's law, which pushes and never pulls."""
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.dynamics.effect import (Contact, Effect, ParameterOf, Place, Torque,
+                                             Values)
 from coscrew_codegen.dynamics.numbers import absolute, less, maximum, minimum, sqrt, where
 
 
@@ -24,7 +25,7 @@ def _torque(state, values: Values) -> Torque:
     torque = -(elastic * push)
     return Torque(torque, damping=where(less(x.like(0), push), steepness * (root * depth), 0),
                   stiffness=root * push * 3 / 2, energy=elastic * x * 2 / 5,
-                  power=(torque + elastic) * v)
+                  power=(torque + elastic) * v, contact=None if k.is_zero else Contact(k, depth))
 
 
 _RANGE = "end of the joint's range; none if the model has none"

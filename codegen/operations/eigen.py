@@ -19,7 +19,7 @@ def _rotation(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     underflows; where θ² does, t is as good as zero."""
     twice = let("twice", 2 * A[1, 0])
     theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(twice)))
-    size = let("size", let("absolute", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
+    size = let("size", let("magnitude", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
     along = let("along", sp.Piecewise((-size, theta < 0), (size, True)))
     t = let("t", sp.Piecewise((0, sp.Eq(twice, 0)), (1 / along, True)))
     c = let("c", 1 / let("secant", sp.sqrt(t**2 + 1)))
@@ -48,10 +48,10 @@ def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 OPERATIONS = (
-    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, "
-              "by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A symmetric, "
-              "its lower triangle is read.  From V = I, steps end in A = diag(eigenvalues), with "
-              "V A V^T the same throughout", (_A, _V), (_A, _V),
+    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane "
+              "xy, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
+              "symmetric, its lower triangle is read.  From V = I, steps end in "
+              "A = diag(eigenvalues), with V A V^T the same throughout", (_A, _V), (_A, _V),
               lambda A, V: tuple(sp.Matrix(3, 3, lambda i, j, k=k: special.jacobi(k, i, j, *A, *V))
                                  for k in range(2)), step,
               rounding=f"|V A V^T - the same before| <= {BACKWARD} u max |A| for orthonormal V; "

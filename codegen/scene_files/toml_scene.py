@@ -17,6 +17,7 @@ from coscrew_codegen.dynamics.quantities import (
 )
 from coscrew_codegen.dynamics.rotations import unit
 from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
+from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
@@ -28,7 +29,6 @@ from coscrew_codegen.scene_files.unused import unused
 from coscrew_codegen.scene_files.urdf import read_urdf
 
 PRECISIONS = ("double", "single", "both")
-INTEGRATORS = ("semi-implicit-euler", "linear-implicit-euler", "rk4", "dop853", "radau")
 BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
 
 _KEYS = ("model", "base", "name", "precision", "implausible", "runtime", "effects", "start",
@@ -199,7 +199,7 @@ def _run(table: Table) -> Run:
         for key in ("duration", "step", "rtol", "atol"))
     if step > duration:
         table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
-    return Run(duration, table.choice("integrator", INTEGRATORS, run.integrator), step, rtol, atol)
+    return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
 
 
 def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:

@@ -9,6 +9,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.dynamics.quantities import expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.outcome import Asked, gaps
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
@@ -24,6 +25,11 @@ from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 
+ALLOWED = 1e-3
+"""By how much energy may be off from the work of effects, relative to the energies moved; and
+momentum of what floats free, to that of the largest speeds."""
+STRICTLY = 1e-5
+"""By how much energy may be off with --strict, where that is not rounding."""
 _MOST_STEPS = 200_000  # samples whose energies are summed
 _STATES = 1000  # along the run, at which matrices are looked at
 _FINER = 2  # how much smaller steps are the second time;
@@ -57,16 +63,42 @@ class Along:
     round_trip: float  # the largest |aba(rnea(a)) - a| / (|a| + |aba(0)|), in unit roundoffs
     condition: float  # of the mass matrix, the largest along the run
     at: float  # where that is, in s
+    order: int  # of the integrator
+    double: "Along | None" = None  # what double precision showed, beside single
+
+    @property
+    def as_double(self) -> bool:
+        """Whether the defect of energy is that of double precision."""
+        return bool(self.double and self.double.coarse.relative >= 0.5 * self.coarse.relative)
+
+    @property
+    def shrinks(self) -> bool:
+        """Whether smaller steps make the defect of energy smaller."""
+        return (self.fine.relative <= 0.75 * self.coarse.relative
+                or self.as_double and self.double.shrinks)
 
     @property
     def rounding(self) -> bool:
-        """Whether the defect of energy is no more than rounding adds up to."""
-        return self.coarse.relative <= 1e4 * 2.0 ** (-53 if self.precision == "double" else -24)
+        """Whether it is no more than rounding adds up to, and neither the step's nor that of double
+        precision."""
+        u = 2.0 ** (-53 if self.precision == "double" else -24)
+        return self.coarse.relative <= 1e4 * u and not (self.shrinks or self.as_double)
 
     @property
     def doubtful(self) -> bool:
         """Whether it is neither rounding nor the integrator's, which shrinks with steps."""
-        return not (self.rounding or self.fine.relative <= 0.75 * self.coarse.relative)
+        return not (self.rounding or self.shrinks)
+
+    @property
+    def true(self) -> bool:
+        """Whether energy and momentum are within ALLOWED."""
+        return self.coarse.relative <= ALLOWED and self.coarse.momentum <= ALLOWED
+
+    @property
+    def strictly_true(self) -> bool:
+        """Whether they are within STRICTLY or rounding, and nothing is doubtful."""
+        energy = self.rounding or self.coarse.relative <= STRICTLY
+        return energy and self.true and not self.doubtful
 
 
 @dataclass(frozen=True)
@@ -79,13 +111,15 @@ class Findings:
 
     @property
     def passed(self) -> bool:
-        """Whether all expectations are met, by runs that got to their ends."""
-        return all(x.passed for x in self.met) and not any(x.stopped for x in self.along)
+        """Whether all expectations are met, by runs that got to their ends and kept energy and
+        momentum."""
+        return all(x.passed for x in self.met) and all(
+            x.true and not x.stopped for x in self.along)
 
     @property
-    def doubtful(self) -> bool:
-        """Whether a balance of energy is."""
-        return any(x.doubtful for x in self.along)
+    def strictly_passed(self) -> bool:
+        """Whether energies are also within STRICTLY, none of them doubtful."""
+        return self.passed and all(x.strictly_true for x in self.along)
 
 
 def check(kernels: object, asked: Asked) -> Findings:
@@ -97,9 +131,11 @@ def check(kernels: object, asked: Asked) -> Findings:
     meant = "single" if (asked.precision or kernels.scene.precision) == "single" else "double"
     its, _, trajectory = runs[meant]
     met = tuple(_met(its, trajectory, x) for x in kernels.scene.expectations)
-    along = tuple(_along(*run) for run in runs.values())
+    along = [_along(*run) for run in runs.values()]
+    if len(along) == 2:
+        along[1] = replace(along[1], double=along[0])
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
-    return Findings(met, along, apart)
+    return Findings(met, tuple(along), apart)
 
 
 def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
@@ -142,7 +178,8 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
     with np.errstate(all="ignore"):  # a run that stopped ends with huge numbers
         round_trip, condition, at = _matrices(system, trajectory)
     return Along(system.precision.name, step, trajectory.stopped, balance(system, trajectory),
-                 balance(system, again), round_trip, condition, at)
+                 balance(system, again), round_trip, condition, at,
+                 named(planned.integrator).order)
 
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:
@@ -191,6 +228,8 @@ def table(findings: Findings) -> str:
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
+    parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
+              if not (x.true or x.stopped)]
     return "\n\n".join(parts)
 
 
@@ -208,6 +247,9 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
             ("it is", *(_verdict(x) for x in along)),
+            *([("momentum of what floats free off by, relative, at most",
+                *(f"{x.coarse.momentum:.2g}" for x in along))]
+              if any(x.coarse.momentum for x in along) else []),
             ("|aba(rnea(a)) - a| / (|a| + |aba(0)|), at most, in u",
              *(f"{x.round_trip:.3g}" for x in along)),
             ("condition of the mass matrix (SI units), at most",
@@ -215,6 +257,20 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("where that is, t in s", *(f"{x.at:g}" for x in along))]
     return tabulate(rows, ("", *(f"{x.precision}, {x.step}" for x in along)), disable_numparse=True,
                     colalign=("left", *("right" for _ in along)))
+
+
+def _false(along: Along) -> str:
+    """What is off by more than is allowed, why, and what helps."""
+    what, off = (("energy", along.coarse.relative) if not along.coarse.relative <= ALLOWED
+                 else ("momentum", along.coarse.momentum))
+    said = f"{what} is off by {off:.2g}, allowed is {ALLOWED:g}"
+    if along.doubtful:
+        return f"{said}, and smaller steps do not help: what the scene asks is not resolved"
+    if along.step.startswith("rtol"):
+        return f"{said}; take a smaller rtol"
+    smaller = (0.5 * ALLOWED / off)**(1 / along.order)
+    other = "" if along.order > 1 else f", or integrator {DEFAULT}"
+    return f"{said}: the step is too large; take one {smaller:.1g} times as long{other}"
 
 
 def _finer(along: Along) -> str:
@@ -229,5 +285,7 @@ def _verdict(along: Along) -> str:
         return "rounding"
     if along.step.startswith("rtol"):
         return "the integrator's: it shrinks"
+    if along.fine.relative > 0.75 * along.coarse.relative:
+        return "the integrator's, as in double"
     order = math.log(along.coarse.relative / along.fine.relative, _FINER)
     return f"the integrator's, of order {order:.1f}"

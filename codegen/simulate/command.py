@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.integrators import in_words
+
 if TYPE_CHECKING:
     from coscrew_codegen.dynamics.scene import Scene
     from coscrew_codegen.simulate.outcome import Outcome
@@ -41,7 +43,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
-                        help="semi-implicit-euler, linear-implicit-euler, rk4, dop853 or radau")
+                        help=in_words())
     parser.add_argument("--precision", choices=("double", "single", "both"),
                         help="precision of the dynamics")
     add_implausible(parser)

@@ -51,7 +51,7 @@ def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...])
     its = system(kernels, precision, dict(asked.settings))
     planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
     with Progress(its, planned.until) as watch:
-        trajectory = integrate(its, planned, watch)
+        trajectory = integrate(its, planned, watch, alarmed=True)
     told = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
     return Outcome(its, planned, trajectory, record(its, trajectory, told))
 

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from coscrew_codegen.dynamics.names import did_you_mean
+from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
 _SAME = 1e-6  # of `every`: times closer than that are the same
 MOST_SAMPLES = 10_000_000
-ADAPTIVE = ("dop853", "radau")
-"""SciPy's integrators, by the names scenes call them."""
+MOST_STEPS = 10**12  # weeks of the fastest scenes
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     """The scene's plan, with what is given here instead.  Raises SimulateError."""
     run = system.scene.run
     every = system.scene.every if every is None else every
-    made = Plan(run.duration if until is None else until, every, integrator or run.integrator,
+    made = Plan(run.duration if until is None else until, every,
+                run.integrator if integrator is None else integrator,
                 run.step if step is None else step, *tolerances(system), also)
     known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
     if made.integrator not in known:
@@ -73,6 +74,9 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")
+    if made.until / made.step > MOST_STEPS:
+        raise SimulateError(f"{made.until:g} s are {made.until / made.step:.3g} steps of "
+                            f"{made.step:g} s; wanted at most {MOST_STEPS:.0e}")
     if made.until / made.every > MOST_SAMPLES:
         raise SimulateError(f"{made.until:g} s are {made.until / made.every:.3g} samples, one "
                             f"every {made.every:g} s; wanted at most {MOST_SAMPLES}")

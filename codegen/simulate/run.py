@@ -8,28 +8,34 @@ are sampled through their interpolants; at the end they stop exactly.
 import math
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
+from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import System, Watch
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
+_KEPT = 100  # steps after which momentum is what it was, to rounding
 _ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
 
 
-def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Trajectory:
+def integrate(system: System, plan: Plan, watch: Watch | None = None,
+              alarmed: bool = False) -> Trajectory:
     """The trajectory from the scene's start.  A state that is not finite, a solver that gives up,
     and an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
 
+    `alarmed` runs of emitted integrators stop where Alarm says that the motion is not the scene's.
     `watch` is called with each sample as it is reached, and often enough in between to tell how far
     the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
     times, (q, v) = plan.samples, system.start()
-    run = adaptive if plan.adaptive else fixed
+    run = adaptive if plan.adaptive else partial(fixed, alarmed=alarmed)
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
     began, at = time.perf_counter(), 0.0
     if lacking := system.lacking(q, v):
@@ -50,30 +56,49 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None) -> Traject
 
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
-          watch: Watch | None = None) -> Sampled:
+          watch: Watch | None = None, alarmed: bool = False) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
-    step, taken = system.stepper(f"step_{plan.integrator.replace('-', '_')}", watch), 0
+    step, taken = system.stepper(f"step_{named(plan.integrator).step}", watch), 0
+    alarm = Alarm(system, plan, (q, v)) if alarmed else None
+    kept = system.kept(q, v) if plan.integrator == DEFAULT else None
+    at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
             count = max(1, math.ceil((end - start) / plan.step - _ROUND_OFF))
             h = (end - start) / count
             h = plan.step if math.isclose(h, plan.step, rel_tol=_ROUND_OFF) else h
             before = q, v
-            for i in range(0, count, _AT_ONCE):
+            for i in range(0, count, at_once):
                 if watch and i:
                     watch(start + i * h, q, v)
-                q, v = step(min(_AT_ONCE, count - i), start + i * h, h, q, v)
+                more = min(at_once, count - i)
+                q, v = step(more, start + i * h, h, q, v)
+                if kept:
+                    v = kept(start + (i + more) * h, q, v)
             taken += count
             finite = np.isfinite(q).all() and np.isfinite(v).all()
-            yield q, v, taken, "" if finite else _where(system, step, start, h, count, *before)
+            stopped = "" if finite else _where(system, plan, start, h, count, *before)
+            if finite and alarm:
+                stopped = alarm(count, end, h, q, v)
+            yield q, v, taken, stopped
 
 
-def _where(system: System, step: Callable, start: float, h: float, count: int, q: np.ndarray,
+def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np.ndarray,
            v: np.ndarray) -> str:
     """When, after how many of `count` steps from `start`, and in which joint the state stops being
-    finite."""
+    finite; why, and what helps."""
+    step = system.stepper(f"step_{named(plan.integrator).step}")
     for i in range(count):
+        before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):
-            return f"not finite at t = {start + i * h:.9g} s: {lacking}"
-        q, v = step(1, start + i * h, h, q, v)
-    return f"not finite at t = {start + count * h:.9g} s: {system.lacking(q, v)}"
+            break
+    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{_cause(system, plan, h, *before)}"
+
+
+def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:
+    """Why a step that starts here may fail, where it is known, and what helps."""
+    if plan.integrator != DEFAULT:
+        return f"; take a smaller step, or integrator {DEFAULT}"
+    if system.has("parts") and np.isnan(system.call("parts", h=h, q=q, v=v)[1]):
+        return "; a limit closes that is too stiff for parts of this step; take a smaller step"
+    return "; take a smaller step"

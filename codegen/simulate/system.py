@@ -10,10 +10,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from coscrew_codegen.program import Program
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.scene_text import step_inputs
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
@@ -38,7 +40,13 @@ class System:
     @cached_property
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
-        return {f.name: tuple(a.name for a in f.program.inputs) for f in self.functions.functions}
+        steps = {f"step_{name}": step_inputs(self.functions) for name in self.functions.steps}
+        return steps | {name: tuple(a.name for a in x.inputs) for name, x in self.programs.items()}
+
+    @cached_property
+    def programs(self) -> Mapping[str, Program]:
+        """What each function computes."""
+        return {f.name: f.program for f in self.functions.functions}
 
     def has(self, name: str) -> bool:
         """Whether the scene has this function."""
@@ -70,6 +78,15 @@ class System:
             return q, v
 
         return steps
+
+    def kept(self, q: np.ndarray, v: np.ndarray) -> Callable[[float, np.ndarray, np.ndarray],
+                                                             np.ndarray]:
+        """(t, q, v) -> v with the momentum that what floats free has at t, if it starts with q, v
+        at t = 0: undoes what roundings of many steps add up to."""
+        if not self.has("free_momentum"):
+            return lambda t, q, v: v
+        c = self.call("free_momentum", q=q, v=v)
+        return lambda t, q, v: self.call("with_free_momentum", t=t, q=q, v=v, c=c)
 
     def energies(self, t: object, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Kinetic and potential energy in J.  (…), (…, nq), (…, nv)->(…), (…), in double."""

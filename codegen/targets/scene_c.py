@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from coscrew_codegen import version
+from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
@@ -17,7 +18,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
 from coscrew_codegen.targets.precision import Precision, named
-from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, STEPS, function_named, size
+from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
-            render("scene/scene.c", **shared))
+            render("scene/scene.c", products=PRECISIONS, **shared))
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
@@ -180,7 +181,7 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
                 "p": f"const {real} p[{len(scene.parameters)}]",
                 "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
     inputs = scene_text.step_inputs(scene)
-    accelerated = function_named(scene, step.acceleration)
+    accelerated = function_named(scene, step.calls)
     call = partial(_call, scene, precision)
     body = render(
         f"scene/{step.template}.c", real=real, nq=scene.nq, nv=scene.nv,
@@ -188,8 +189,9 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
         unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
         accelerate=partial(call, accelerated),
         integrate=partial(call, function_named(scene, INTEGRATED)),
-        rate=partial(_rate, scene, precision)).rstrip("\n")
-    return CText(f"step_{name}", comment_of([f"{step.words}.  In place."]),
+        rate=partial(_rate, scene, precision),
+        **scene_text.step_calls(scene, call)).rstrip("\n")
+    return CText(f"step_{name}", comment_of([f"{step.equation}.  In place."]),
                  _head(scene, f"step_{name}", precision, [declared[x] for x in inputs]), body)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from textwrap import wrap
 
+from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
@@ -17,7 +18,7 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_expressions import Expressions
-from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, STEPS, function_named
+from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
 from coscrew_codegen.version import VERSION
 
 
@@ -26,7 +27,8 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
-        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION, nq=scene.nq,
+        "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
+        nq=scene.nq,
         nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
@@ -51,6 +53,8 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
         names.add("nan")
     if scene.steps:
         names |= {"newaxis", "zeros_like"}
+    if any(f.name == scene_text.PARTS for f in scene.functions):
+        names |= {"broadcast_to", "ones_like", "where"}
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   imports=listed("from numpy import (", sorted(names), ")"),
                   helpers="components, assembled, delivered"
@@ -114,11 +118,12 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
 def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, str]:
     step, inputs = STEPS[name], scene_text.step_inputs(scene)
     shapes = scene_text.step_shapes(scene)
-    accelerated = function_named(scene, step.acceleration)
+    accelerated = function_named(scene, step.calls)
     body = render(
         f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
         pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
-        integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene))
+        integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene),
+        **scene_text.step_calls(scene, _call))
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]
     return _text(f"step_{name}", inputs, scene_text.step_words(scene, name), lines)

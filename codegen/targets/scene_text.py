@@ -5,10 +5,12 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
-from dataclasses import dataclass
+from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from math import prod
 
+from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
@@ -39,31 +41,9 @@ RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwl
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
 RATE = "chart_rate"
+MOMENTUM, CORRECTED = "free_momentum", "with_free_momentum"
+CLOSING, PARTS = "closing_contacts", "parts"
 INTEGRATED = "integrated"
-FORWARD = "forward_dynamics"
-
-
-@dataclass(frozen=True)
-class Step:
-    """An integrator's step, composed of calls of the scene's functions."""
-
-    words: str
-    template: str  # its shape, in templates/scene
-    acceleration: str = FORWARD
-
-
-STEPS = {
-    "semi_implicit_euler": Step(
-        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the semi-implicit Euler method, of "
-        "first order, with a of forward_dynamics at tau = 0", "euler"),
-    "linear_implicit_euler": Step(
-        "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the linearly implicit Euler method, of "
-        "first order, with a from dynamics in which damping and stiffness of joints act at the "
-        "step's end", "euler", "implicit_acceleration"),
-    "rk4": Step(
-        "(q, v)' after h: one step of the classical Runge–Kutta method, of fourth order, with a of "
-        "forward_dynamics at tau = 0; q moves by q ⊕ φ", "rk4"),
-}
 
 
 def count(shape: tuple[int, ...]) -> int:
@@ -97,7 +77,7 @@ def step_words(scene: SceneFunctions, name: str) -> tuple[str, ...]:
     """A step's documentation in Python, a paragraph each."""
     shapes = step_shapes(scene)
     given = ", ".join(f"{x} {shapes[x]}" for x in step_inputs(scene))
-    return (f"{STEPS[name].words}.  Returns q and v.",
+    return (f"{STEPS[name].equation}.  Returns q and v.",
             f"Last axes: {given} -> q {shapes['q']}, v {shapes['v']}.")
 
 
@@ -116,9 +96,19 @@ def function_named(scene: SceneFunctions, name: str) -> Function:
     return found
 
 
+def step_calls(scene: SceneFunctions, call: Callable[..., str]) -> dict[str, object]:
+    """What a template of a step may call beside its acceleration: partial calls by their roles, and
+    `kept`, how many numbers the momentum of what floats free has; None where there is no such."""
+    roles = {"momentum": MOMENTUM, "corrected": CORRECTED, "closing": CLOSING, "parts": PARTS}
+    known = {f.name: f for f in scene.functions}
+    kept = size(known[MOMENTUM].program.outputs[0]) if MOMENTUM in known else None
+    return {"kept": kept, **{role: partial(call, known[name]) if name in known else None
+                             for role, name in roles.items()}}
+
+
 def used_functions(scene: SceneFunctions) -> tuple[Function, ...]:
     """The functions to emit: internal ones only if a step calls them."""
-    called = {STEPS[name].acceleration for name in scene.steps}
+    called = {STEPS[name].calls for name in scene.steps}
     called |= {RATE} if "rk4" in scene.steps else set()
     return tuple(f for f in scene.functions if not f.internal or f.name in called)
 

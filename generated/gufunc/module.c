@@ -22,7 +22,8 @@ static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && getenv("COSCREW_BASELINE") == NULL) {
+  const int supported = __builtin_cpu_supports("avx2");
+  if (supported && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
 #endif
@@ -77,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "89e58f4490d63aea") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "114c496c596fdae0") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -20,7 +20,8 @@ static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && getenv("COSCREW_BASELINE") == NULL) {
+  const int supported = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (supported && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
 #endif
@@ -75,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "241e06ae10aea526") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "e82d8532dd255c8f") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -408,8 +408,8 @@ def mat3x3_jacobi(A, V):
     apart = A_11 - A_00
     divisor = where(twice == 0, 1, twice)
     theta = apart / divisor
-    absolute = absolute(theta)
-    size = absolute + sqrt(1 + theta * theta)
+    magnitude = absolute(theta)
+    size = magnitude + sqrt(1 + theta * theta)
     along = where(theta < 0, -size, size)
     t = where(twice == 0, 0, 1 / along)
     secant = sqrt(1 + t * t)

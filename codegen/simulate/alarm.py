@@ -1,0 +1,121 @@
+"""Alarm: says while a run goes on that its motion is not the scene's, why, and what helps.
+
+Looked at are, about 500 times a run:
+- momentum of what floats free, which is known for all times: the energy of the motion that is too
+  much, against the largest kinetic energy so far;
+- energy, where nothing feeds it in or dissipates it: its change, against the same;
+- the step itself: one of h against two of the default integrator's of h/2 from the same state.  Where
+  the step resolves neither stiffness nor turns they differ by a good part of the speeds, again and
+  again.  (Two of its own tell less: a saturated motor may stop steps of h and of h/2 alike.)
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate.plan import Plan
+from coscrew_codegen.simulate.system import State, System
+
+ALLOWED = 1e-2
+"""Of the largest kinetic energy so far, by which energy may change that has no reason to; and of
+the largest speeds, by which momentum may be off.  `check` allows a tenth."""
+RESOLVED = {1: 0.3, 2: 0.05, 4: 0.05}
+"""By how much of the speeds one step may differ from two halves, by order: so much do they where an
+undamped spring moves by about 1 rad a step."""
+_SLOW = 1e-3
+"""Of the largest kinetic energy: with less, speeds count as this large."""
+_AGAIN = 2  # looks in a row that find the step too large: one may meet a jolt
+_LOOKS = 500  # at a run
+_APART = 50  # steps between two of them, at least
+_SETTLED = 1000  # steps until energies of methods of order 1 say something
+
+
+@dataclass
+class Alarm:
+    """Watches one run from its start."""
+
+    system: System
+    plan: Plan
+    start: State
+    kinetic: float = field(init=False, default=0.0)  # the largest so far
+    _steps: int = field(init=False, default=0)
+    _next: int = field(init=False, default=_APART)
+    _bad: int = field(init=False, default=0)
+
+    def __post_init__(self) -> None:
+        self._integrator = named(self.plan.integrator)
+        self._every = max(_APART, int(self.plan.until / self.plan.step / _LOOKS))
+        its, (q, v) = self.system, self.start
+        self._energy = float(sum(its.energies(0.0, q, v)))
+        self._momentum = its.call("free_momentum", q=q, v=v) if its.has("free_momentum") else None
+        self._conservative = not its.programs["power"].instructions
+
+    def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> str:
+        """What is wrong at t, after so many steps more, the last of them of h; else ""."""
+        self._steps += steps
+        if self._steps < self._next:
+            return ""
+        self._next = self._steps + self._every
+        kinetic, potential = map(float, self.system.energies(t, q, v))
+        self.kinetic = max(self.kinetic, kinetic)
+        found = (self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
+                 or self._of_step(t, h, q, v))
+        return found and f"{found[0]} at t = {t:.9g} s: {found[1]}"
+
+    def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
+        if self._momentum is None:
+            return None
+        right = self.system.call("with_free_momentum", t=t, q=q, v=v, c=self._momentum)
+        off = self._size(q, np.asarray(right, float) - v, self.kinetic)
+        if not off > ALLOWED:
+            return None
+        joint = self._joint(np.abs(np.asarray(right, float) - v))
+        return "momentum is not kept", (f"what floats free at joint {joint} is off by {off:.2g} of "
+                                        f"its speed; {self._remedy(off / ALLOWED)}")
+
+    def _of_energy(self, energy: float) -> tuple[str, str] | None:
+        if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
+            return None
+        off = (energy - self._energy) / self.kinetic if self.kinetic else 0.0
+        if not abs(off) > ALLOWED:
+            return None
+        return "energy is not kept", (f"it changed by {off:.2g} of the kinetic energy, and nothing "
+                                      "feeds it in or dissipates it: "
+                                      f"{self._remedy(abs(off) / ALLOWED)}")
+
+    def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
+        its, allowed = self.system, RESOLVED[self._integrator.order]
+        if self._integrator.name == DEFAULT and its.has("closing_contacts") \
+                and its.call("closing_contacts", h=h, q=q, v=v) > 0:
+            return None
+        once = its.stepper(f"step_{self._integrator.step}")(1, t, h, q, v)[1]
+        twice = its.stepper(f"step_{named(DEFAULT).step}")(2, t, h / 2, q, v)[1]
+        apart = np.asarray(twice, float) - once
+        now = float(its.energies(t, q, v)[0])
+        off = self._size(q, apart, max(now, _SLOW * self.kinetic))
+        self._bad = self._bad + 1 if off > allowed else 0
+        if self._bad < _AGAIN:
+            return None
+        joint = self._joint(np.abs(apart) * np.sqrt(np.abs(np.diagonal(self._mass(q)))))
+        return "the step is too large", (
+            f"at joint {joint} one of {h:.3g} s differs from two halves by {off:.2g} of the "
+            f"speeds; {self._remedy(off / allowed)}")
+
+    def _size(self, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
+        """√(T(v)/T) for T = kinetic."""
+        own = float(self.system.energies(0.0, q, v.astype(self.system.dtype))[0])
+        return float(np.sqrt(own / kinetic)) if kinetic > 0 else 0.0
+
+    def _mass(self, q: np.ndarray) -> np.ndarray:
+        return np.asarray(self.system.call("mass_matrix", q=q), float)
+
+    def _joint(self, sizes: np.ndarray) -> str:
+        worst = int(np.argmax(np.where(np.isfinite(sizes), sizes, np.inf)))
+        return next(c.joint for c in self.system.functions.coordinates if worst in c.v)
+
+    def _remedy(self, times: float) -> str:
+        """A step for which errors of the integrator's order would be half of what is allowed."""
+        h = self.plan.step * (0.5 / times)**(1 / self._integrator.order)
+        other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"
+        return f"take a step of {h:.1g} s{other}"
