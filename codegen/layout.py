@@ -49,7 +49,8 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
         files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
         files |= {f"c/include/ksl/{name}.h": render("c/refused.h", banner=selection.banner,
                                                     what=what, sentence=sentence)
-                  for name, (what, sentence) in c_ksl.REFUSED.items()}
+                  for name, (what, sentence) in c_ksl.REFUSED.items()
+                  if "vec3" in selection.families}
     for tier in (None, *TIERS):
         made = headers
         if tier and "c" in selection.languages:

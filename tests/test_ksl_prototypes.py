@@ -5,6 +5,7 @@ compare them with ours; what is written for KSL includes them as "ksl/X.h", in a
 """
 
 import random
+import re
 
 import pytest
 
@@ -22,7 +23,10 @@ def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
     """C: a pointer to a function of KSL's type for each, set to ours."""
     lines = [f'#include "ksl/{header}"' for header in includes]
     for prototype in wanted:
-        lines += [f"extern {prototype.pointer};", f"{prototype.pointer} = {prototype.name};"]
+        pointer = prototype.pointer
+        if prototype.name.startswith(TO_CONST):
+            pointer = re.sub(r"\b(double|float) \[2\]", r"const \1 [2]", pointer)
+        lines += [f"extern {pointer};", f"{pointer} = {prototype.name};"]
     return "\n".join([*lines, ""])
 
 

@@ -16182,6 +16182,43 @@ static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const d
   self->w = self_3_new_rounded;
 }
 
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 24 add, 4 product rest.
+   Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_axpy_qq_accurate(const double a, const ksl_quaternion_t *x,
+    ksl_quaternion_t *y) {
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x,
+      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
+      y_0_new_left_rest = ksl_product_rest(a, x->x, y_0_new_a, y_0_new_left),
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y,
+      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
+      y_1_new_left_rest = ksl_product_rest(a, x->y, y_1_new_a, y_1_new_left),
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z,
+      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
+      y_2_new_left_rest = ksl_product_rest(a, x->z, y_2_new_a, y_2_new_left),
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+  const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w,
+      y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
+      y_3_new_left_rest = ksl_product_rest(a, x->w, y_3_new_a, y_3_new_left),
+      y_3_new_right_rest = y->w - y_3_new_right,
+      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+  const double y_0_new_rounded = y_0_new + y_0_new_lo;
+  const double y_1_new_rounded = y_1_new + y_1_new_lo;
+  const double y_2_new_rounded = y_2_new + y_2_new_lo;
+  const double y_3_new_rounded = y_3_new + y_3_new_lo;
+  y->x = y_0_new_rounded;
+  y->y = y_1_new_rounded;
+  y->z = y_2_new_rounded;
+  y->w = y_3_new_rounded;
+}
+
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
@@ -16524,220 +16561,12 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   qo->w = qo_3_final;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
-static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->y, q2->z),
-      qo_0c = KSL_MUL(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
-      qo_0d_left = qo_0d + qo_0d_right,
-      qo_0d_left_rest = ksl_product_rest(q1->y, q2->z, qo_0b, qo_0d_left),
-      qo_0d_right_rest = ksl_product_rest(q1->z, q2->y, qo_0c, qo_0d_right),
-      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
-      qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
-      qo_0e_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0e_left),
-      qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
-      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = KSL_MUL(q1->w, q2->x), qo_0 = qo_0e + qo_0f,
-      qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
-      qo_0_right_rest = ksl_product_rest(q1->w, q2->x, qo_0f, qo_0_right),
-      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
-  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1b = KSL_MUL(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->z, q2->x, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->x, q2->z, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->y, q2->w),
-      qo_1e = qo_1c + qo_1d, qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
-      qo_1e_left_rest = qo_1c - qo_1e_left,
-      qo_1e_right_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1e_right),
-      qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
-      qo_1f = KSL_MUL(q1->w, q2->y), qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
-      qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
-      qo_1_right_rest = ksl_product_rest(q1->w, q2->y, qo_1f, qo_1_right),
-      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
-  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2b = KSL_MUL(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->x, q2->y, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->y, q2->x, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->z, q2->w),
-      qo_2e = qo_2c + qo_2d, qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
-      qo_2e_left_rest = qo_2c - qo_2e_left,
-      qo_2e_right_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2e_right),
-      qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
-      qo_2f = KSL_MUL(q1->w, q2->z), qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
-      qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
-      qo_2_right_rest = ksl_product_rest(q1->w, q2->z, qo_2f, qo_2_right),
-      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
-  const double qo_3a = KSL_MUL(q1->w, q2->w), qo_3b = KSL_MUL(q1->x, q2->x),
-      qo_3c = KSL_MUL(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
-      qo_3d_left = qo_3d - qo_3d_right,
-      qo_3d_left_rest = ksl_product_rest(q1->x, q2->x, qo_3b, qo_3d_left),
-      qo_3d_right_rest = ksl_product_rest(q1->y, q2->y, qo_3c, qo_3d_right),
-      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1->z, q2->z),
-      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
-      qo_3f_left_rest = qo_3d - qo_3f_left,
-      qo_3f_right_rest = ksl_product_rest(q1->z, q2->z, qo_3e, qo_3f_right),
-      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
-      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
-      qo_3_left_rest = ksl_product_rest(q1->w, q2->w, qo_3a, qo_3_left),
-      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
-      qo_3_lo = qo_3_lo1 - qo_3f_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0b = KSL_MUL(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
-      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
-      qo_0c_left_rest = ksl_product_rest(q1->w, q2->x, qo_0a, qo_0c_left),
-      qo_0c_right_rest = ksl_product_rest(q1->x, q2->w, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1->z, q2->y),
-      qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
-      qo_0f_left = qo_0f + qo_0f_right,
-      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
-      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
-      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->w, q2->y),
-      qo_1e = KSL_MUL(q1->y, q2->w), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
-      qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->w, q2->y, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->y, q2->w, qo_1e, qo_1f_right),
-      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
-      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
-      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
-      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->w, q2->z),
-      qo_2e = KSL_MUL(q1->z, q2->w), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
-      qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->w, q2->z, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->z, q2->w, qo_2e, qo_2f_right),
-      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
-      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
-      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
-      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1->z, q2->z),
-      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
-      qo_3e_left_rest = qo_3c - qo_3e_left,
-      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
-      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = KSL_MUL(q1->w, q2->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
-      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
-      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
-      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
-      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
-      qo_0c_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0c_left),
-      qo_0c_right_rest = ksl_product_rest(q1->w, q2->x, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1->z, q2->y),
-      qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
-      qo_0f_left = qo_0f + qo_0f_right,
-      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
-      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
-      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1->y, q2->w),
-      qo_1e = KSL_MUL(q1->w, q2->y), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
-      qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->w, q2->y, qo_1e, qo_1f_right),
-      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
-      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
-      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
-      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1->z, q2->w),
-      qo_2e = KSL_MUL(q1->w, q2->z), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
-      qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->w, q2->z, qo_2e, qo_2f_right),
-      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
-      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
-      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
-      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1->z, q2->z),
-      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
-      qo_3e_left_rest = qo_3c - qo_3e_left,
-      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
-      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = KSL_MUL(q1->w, q2->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
-      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
-      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
-      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    30 mul, 75 add, 15 product rest.
    Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b,
       c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
@@ -16824,7 +16653,7 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
    30 mul, 75 add, 15 product rest.
    Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b,
       c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
@@ -16904,6 +16733,1680 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qq_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->y, q2i->z),
+      qo_0c = KSL_MUL(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1i->y, q2i->z, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1i->z, q2i->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
+      qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
+      qo_0e_left_rest = ksl_product_rest(q1i->x, q2i->w, qo_0a, qo_0e_left),
+      qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
+      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f,
+      qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->z, q2i->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->x, q2i->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = qo_1c + qo_1d, qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
+      qo_1e_left_rest = qo_1c - qo_1e_left,
+      qo_1e_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1e_right),
+      qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
+      qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->x, q2i->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->y, q2i->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = qo_2c + qo_2d, qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
+      qo_2e_left_rest = qo_2c - qo_2e_left,
+      qo_2e_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2e_right),
+      qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
+      qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
+      qo_3d_left = qo_3d - qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3f_left_rest = qo_3d - qo_3f_left,
+      qo_3f_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right),
+      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
+      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3_left),
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
+      qo_3_lo = qo_3_lo1 - qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qqconj_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->w, q2i->x),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->x, q2i->w, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->z, q2i->y),
+      qo_0e = KSL_MUL(q1i->y, q2i->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1i->z, q2i->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1i->y, q2i->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->x, q2i->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->z, q2i->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = KSL_MUL(q1i->w, q2i->y), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->y, q2i->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->x, q2i->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = KSL_MUL(q1i->w, q2i->z), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1i->z, q2i->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qconjq_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0b = KSL_MUL(q1i->x, q2i->w),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->w, q2i->x, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->x, q2i->w, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->z, q2i->y),
+      qo_0e = KSL_MUL(q1i->y, q2i->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1i->z, q2i->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1i->y, q2i->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->x, q2i->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->z, q2i->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->w, q2i->y),
+      qo_1e = KSL_MUL(q1i->y, q2i->w), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1i->w, q2i->y, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->y, q2i->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->x, q2i->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->w, q2i->z),
+      qo_2e = KSL_MUL(q1i->z, q2i->w), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1i->w, q2i->z, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1i->z, q2i->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qconjqconj_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0b = KSL_MUL(q1i->z, q2i->y),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->y, q2i->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->z, q2i->y, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->x, q2i->w),
+      qo_0e = qo_0c - qo_0d, qo_0e_right = qo_0c - qo_0e, qo_0e_left = qo_0e + qo_0e_right,
+      qo_0e_left_rest = qo_0c - qo_0e_left,
+      qo_0e_right_rest = ksl_product_rest(q1i->x, q2i->w, qo_0d, qo_0e_right),
+      qo_0e_lo1 = qo_0e_left_rest - qo_0e_right_rest, qo_0e_lo = qo_0e_lo1 + qo_0c_lo,
+      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f, qo_0_right = qo_0e - qo_0,
+      qo_0_left = qo_0 + qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest - qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->z, q2i->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->x, q2i->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = qo_1c - qo_1d, qo_1e_right = qo_1c - qo_1e, qo_1e_left = qo_1e + qo_1e_right,
+      qo_1e_left_rest = qo_1c - qo_1e_left,
+      qo_1e_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1e_right),
+      qo_1e_lo1 = qo_1e_left_rest - qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f, qo_1_right = qo_1e - qo_1,
+      qo_1_left = qo_1 + qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest - qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->x, q2i->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->y, q2i->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = qo_2c - qo_2d, qo_2e_right = qo_2c - qo_2e, qo_2e_left = qo_2e + qo_2e_right,
+      qo_2e_left_rest = qo_2c - qo_2e_left,
+      qo_2e_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2e_right),
+      qo_2e_lo1 = qo_2e_left_rest - qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f, qo_2_right = qo_2e - qo_2,
+      qo_2_left = qo_2 + qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest - qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
+      qo_3d_left = qo_3d - qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3f_left_rest = qo_3d - qo_3f_left,
+      qo_3f_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right),
+      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
+      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3_left),
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
+      qo_3_lo = qo_3_lo1 - qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->z, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->x, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->w), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->w, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->y, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->x, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqx_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->y, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqxconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->x, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqx_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->w, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->x, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqxconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->z, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->x, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->y, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->z), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->z, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->w, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->y, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqy_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqyconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->x, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->y, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqy_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->z, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->w, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->y, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqyconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->y), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->y, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->z, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->x, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->w, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->z, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqz_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->x, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqzconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->z, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqz_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->w, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->z, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqzconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->y, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 44 add, 12 product rest, 2 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qv_accurate(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0b = KSL_MUL(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->y, vi->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->z, vi->y, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(qi->w, vi->x),
+      qo_0 = qo_0c + qo_0d, qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1b = KSL_MUL(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->z, vi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->x, vi->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(qi->w, vi->y),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2b = KSL_MUL(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->x, vi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->y, vi->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(qi->w, vi->z),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(qi->x, vi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(qi->z, vi->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(qi->z, vi->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3 = -qo_3e, qo_3_lo = -qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 44 add, 12 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qconjv_accurate(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0b = KSL_MUL(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->z, vi->y, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->y, vi->z, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(qi->w, vi->x),
+      qo_0 = qo_0c + qo_0d, qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1b = KSL_MUL(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->x, vi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->z, vi->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(qi->w, vi->y),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2b = KSL_MUL(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->y, vi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->x, vi->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(qi->w, vi->z),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(qi->x, vi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(qi->z, vi->z),
+      qo_3 = qo_3c + qo_3d, qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(qi->z, vi->z, qo_3d, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3c_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 44 add, 12 product rest, 2 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_vq_accurate(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->y, qi->z),
+      qo_0c = KSL_MUL(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(vi->y, qi->z, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(vi->z, qi->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0 = qo_0a + qo_0d,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(vi->x, qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0d - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo = qo_0_lo1 + qo_0d_lo;
+  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1b = KSL_MUL(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(vi->z, qi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(vi->x, qi->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(vi->y, qi->w),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2b = KSL_MUL(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(vi->x, qi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(vi->y, qi->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(vi->z, qi->w),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(vi->x, qi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(vi->z, qi->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(vi->z, qi->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3 = -qo_3e, qo_3_lo = -qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 44 add, 12 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_vqconj_accurate(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->z, qi->y),
+      qo_0c = KSL_MUL(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(vi->z, qi->y, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(vi->y, qi->z, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0 = qo_0a + qo_0d,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(vi->x, qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0d - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo = qo_0_lo1 + qo_0d_lo;
+  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1b = KSL_MUL(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(vi->x, qi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(vi->z, qi->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(vi->y, qi->w),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2b = KSL_MUL(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(vi->y, qi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(vi->x, qi->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(vi->z, qi->w),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(vi->x, qi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(vi->z, qi->z),
+      qo_3 = qo_3c + qo_3d, qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(vi->z, qi->z, qo_3d, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3c_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 17 add, 4 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline double ksl_dot_qq_accurate(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
+  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_b = KSL_MUL(q1i->y, q2i->y),
+      dot_c = dot_a + dot_b, dot_c_right = dot_c - dot_a, dot_c_left = dot_c - dot_c_right,
+      dot_c_left_rest = ksl_product_rest(q1i->x, q2i->x, dot_a, dot_c_left),
+      dot_c_right_rest = ksl_product_rest(q1i->y, q2i->y, dot_b, dot_c_right),
+      dot_c_lo = dot_c_left_rest + dot_c_right_rest, dot_d = KSL_MUL(q1i->z, q2i->z),
+      dot_e = dot_c + dot_d, dot_e_right = dot_e - dot_c, dot_e_left = dot_e - dot_e_right,
+      dot_e_left_rest = dot_c - dot_e_left,
+      dot_e_right_rest = ksl_product_rest(q1i->z, q2i->z, dot_d, dot_e_right),
+      dot_e_lo1 = dot_e_left_rest + dot_e_right_rest, dot_e_lo = dot_e_lo1 + dot_c_lo,
+      dot_f = KSL_MUL(q1i->w, q2i->w), dot = dot_e + dot_f, dot_right = dot - dot_e,
+      dot_left = dot - dot_right, dot_left_rest = dot_e - dot_left,
+      dot_right_rest = ksl_product_rest(q1i->w, q2i->w, dot_f, dot_right),
+      dot_lo1 = dot_left_rest + dot_right_rest, dot_lo = dot_lo1 + dot_e_lo;
+  const double dot_rounded = dot + dot_lo;
+  return dot_rounded;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 72 add, 12 product rest.
+   Error <= u |result| + 15 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_dpiToq_accurate(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->w),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = KSL_MUL(0.5, dpi->y), qi_0_new_f = KSL_MUL(qi_0_new_e, qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_g_right = qi_0_new_d - qi_0_new_g,
+      qi_0_new_g_left = qi_0_new_g + qi_0_new_g_right,
+      qi_0_new_g_left_rest = ksl_product_rest(qi_0_new_c, qi->y, qi_0_new_d, qi_0_new_g_left),
+      qi_0_new_g_right_rest = ksl_product_rest(qi_0_new_e, qi->z, qi_0_new_f, qi_0_new_g_right),
+      qi_0_new_g_lo = qi_0_new_g_left_rest - qi_0_new_g_right_rest,
+      qi_0_new_h = qi_0_new_b + qi_0_new_g, qi_0_new_h_right = qi_0_new_h - qi_0_new_b,
+      qi_0_new_h_left = qi_0_new_h - qi_0_new_h_right,
+      qi_0_new_h_left_rest = ksl_product_rest(qi_0_new_a, qi->w, qi_0_new_b, qi_0_new_h_left),
+      qi_0_new_h_right_rest = qi_0_new_g - qi_0_new_h_right,
+      qi_0_new_h_lo1 = qi_0_new_h_left_rest + qi_0_new_h_right_rest,
+      qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_g_lo, qi_0_new = qi_0_new_h + qi->x,
+      qi_0_new_right = qi_0_new - qi_0_new_h, qi_0_new_left = qi_0_new - qi_0_new_right,
+      qi_0_new_left_rest = qi_0_new_h - qi_0_new_left, qi_0_new_right_rest = qi->x - qi_0_new_right,
+      qi_0_new_lo1 = qi_0_new_left_rest + qi_0_new_right_rest,
+      qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z), qi_1_new_b = KSL_MUL(qi_0_new_c, qi->x),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_c_right = qi_1_new_a - qi_1_new_c,
+      qi_1_new_c_left = qi_1_new_c + qi_1_new_c_right,
+      qi_1_new_c_left_rest = ksl_product_rest(qi_0_new_a, qi->z, qi_1_new_a, qi_1_new_c_left),
+      qi_1_new_c_right_rest = ksl_product_rest(qi_0_new_c, qi->x, qi_1_new_b, qi_1_new_c_right),
+      qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest,
+      qi_1_new_d = KSL_MUL(qi_0_new_e, qi->w), qi_1_new_e = qi_1_new_c + qi_1_new_d,
+      qi_1_new_e_right = qi_1_new_e - qi_1_new_c, qi_1_new_e_left = qi_1_new_e - qi_1_new_e_right,
+      qi_1_new_e_left_rest = qi_1_new_c - qi_1_new_e_left,
+      qi_1_new_e_right_rest = ksl_product_rest(qi_0_new_e, qi->w, qi_1_new_d, qi_1_new_e_right),
+      qi_1_new_e_lo1 = qi_1_new_e_left_rest + qi_1_new_e_right_rest,
+      qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo, qi_1_new = qi_1_new_e + qi->y,
+      qi_1_new_right = qi_1_new - qi_1_new_e, qi_1_new_left = qi_1_new - qi_1_new_right,
+      qi_1_new_left_rest = qi_1_new_e - qi_1_new_left, qi_1_new_right_rest = qi->y - qi_1_new_right,
+      qi_1_new_lo1 = qi_1_new_left_rest + qi_1_new_right_rest,
+      qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_c_right = qi_2_new_a - qi_2_new_c,
+      qi_2_new_c_left = qi_2_new_c + qi_2_new_c_right,
+      qi_2_new_c_left_rest = ksl_product_rest(qi_0_new_e, qi->x, qi_2_new_a, qi_2_new_c_left),
+      qi_2_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->y, qi_2_new_b, qi_2_new_c_right),
+      qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w), qi_2_new_e = qi_2_new_c + qi_2_new_d,
+      qi_2_new_e_right = qi_2_new_e - qi_2_new_c, qi_2_new_e_left = qi_2_new_e - qi_2_new_e_right,
+      qi_2_new_e_left_rest = qi_2_new_c - qi_2_new_e_left,
+      qi_2_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->w, qi_2_new_d, qi_2_new_e_right),
+      qi_2_new_e_lo1 = qi_2_new_e_left_rest + qi_2_new_e_right_rest,
+      qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo, qi_2_new = qi_2_new_e + qi->z,
+      qi_2_new_right = qi_2_new - qi_2_new_e, qi_2_new_left = qi_2_new - qi_2_new_right,
+      qi_2_new_left_rest = qi_2_new_e - qi_2_new_left, qi_2_new_right_rest = qi->z - qi_2_new_right,
+      qi_2_new_lo1 = qi_2_new_left_rest + qi_2_new_right_rest,
+      qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_e, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_c_right = qi_3_new_c - qi_3_new_a,
+      qi_3_new_c_left = qi_3_new_c - qi_3_new_c_right,
+      qi_3_new_c_left_rest = ksl_product_rest(qi_0_new_a, qi->x, qi_3_new_a, qi_3_new_c_left),
+      qi_3_new_c_right_rest = ksl_product_rest(qi_0_new_e, qi->y, qi_3_new_b, qi_3_new_c_right),
+      qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new_e_right = qi_3_new_e - qi_3_new_c, qi_3_new_e_left = qi_3_new_e - qi_3_new_e_right,
+      qi_3_new_e_left_rest = qi_3_new_c - qi_3_new_e_left,
+      qi_3_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->z, qi_3_new_d, qi_3_new_e_right),
+      qi_3_new_e_lo1 = qi_3_new_e_left_rest + qi_3_new_e_right_rest,
+      qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo, qi_3_new = qi->w - qi_3_new_e,
+      qi_3_new_right = qi->w - qi_3_new, qi_3_new_left = qi_3_new + qi_3_new_right,
+      qi_3_new_left_rest = qi->w - qi_3_new_left, qi_3_new_right_rest = qi_3_new_e - qi_3_new_right,
+      qi_3_new_lo1 = qi_3_new_left_rest - qi_3_new_right_rest,
+      qi_3_new_lo = qi_3_new_lo1 - qi_3_new_e_lo;
+  const double qi_0_new_rounded = qi_0_new + qi_0_new_lo;
+  const double qi_1_new_rounded = qi_1_new + qi_1_new_lo;
+  const double qi_2_new_rounded = qi_2_new + qi_2_new_lo;
+  const double qi_3_new_rounded = qi_3_new + qi_3_new_lo;
+  qi->x = qi_0_new_rounded;
+  qi->y = qi_1_new_rounded;
+  qi->z = qi_2_new_rounded;
+  qi->w = qi_3_new_rounded;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 72 add, 12 product rest.
+   Error <= u |result| + 15 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_dpiFromq_accurate(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_e_right = qi_0_new_b - qi_0_new_e,
+      qi_0_new_e_left = qi_0_new_e + qi_0_new_e_right,
+      qi_0_new_e_left_rest = ksl_product_rest(qi_0_new_a, qi->z, qi_0_new_b, qi_0_new_e_left),
+      qi_0_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->y, qi_0_new_d, qi_0_new_e_right),
+      qi_0_new_e_lo = qi_0_new_e_left_rest - qi_0_new_e_right_rest,
+      qi_0_new_f = KSL_MUL(0.5, dpi->x), qi_0_new_g = KSL_MUL(qi_0_new_f, qi->w),
+      qi_0_new_h = qi_0_new_e - qi_0_new_g, qi_0_new_h_right = qi_0_new_e - qi_0_new_h,
+      qi_0_new_h_left = qi_0_new_h + qi_0_new_h_right,
+      qi_0_new_h_left_rest = qi_0_new_e - qi_0_new_h_left,
+      qi_0_new_h_right_rest = ksl_product_rest(qi_0_new_f, qi->w, qi_0_new_g, qi_0_new_h_right),
+      qi_0_new_h_lo1 = qi_0_new_h_left_rest - qi_0_new_h_right_rest,
+      qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_e_lo, qi_0_new = qi_0_new_h + qi->x,
+      qi_0_new_right = qi_0_new - qi_0_new_h, qi_0_new_left = qi_0_new - qi_0_new_right,
+      qi_0_new_left_rest = qi_0_new_h - qi_0_new_left, qi_0_new_right_rest = qi->x - qi_0_new_right,
+      qi_0_new_lo1 = qi_0_new_left_rest + qi_0_new_right_rest,
+      qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x), qi_1_new_b = KSL_MUL(qi_0_new_f, qi->z),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_c_right = qi_1_new_a - qi_1_new_c,
+      qi_1_new_c_left = qi_1_new_c + qi_1_new_c_right,
+      qi_1_new_c_left_rest = ksl_product_rest(qi_0_new_c, qi->x, qi_1_new_a, qi_1_new_c_left),
+      qi_1_new_c_right_rest = ksl_product_rest(qi_0_new_f, qi->z, qi_1_new_b, qi_1_new_c_right),
+      qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest,
+      qi_1_new_d = KSL_MUL(qi_0_new_a, qi->w), qi_1_new_e = qi_1_new_c - qi_1_new_d,
+      qi_1_new_e_right = qi_1_new_c - qi_1_new_e, qi_1_new_e_left = qi_1_new_e + qi_1_new_e_right,
+      qi_1_new_e_left_rest = qi_1_new_c - qi_1_new_e_left,
+      qi_1_new_e_right_rest = ksl_product_rest(qi_0_new_a, qi->w, qi_1_new_d, qi_1_new_e_right),
+      qi_1_new_e_lo1 = qi_1_new_e_left_rest - qi_1_new_e_right_rest,
+      qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo, qi_1_new = qi_1_new_e + qi->y,
+      qi_1_new_right = qi_1_new - qi_1_new_e, qi_1_new_left = qi_1_new - qi_1_new_right,
+      qi_1_new_left_rest = qi_1_new_e - qi_1_new_left, qi_1_new_right_rest = qi->y - qi_1_new_right,
+      qi_1_new_lo1 = qi_1_new_left_rest + qi_1_new_right_rest,
+      qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->x),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_c_right = qi_2_new_a - qi_2_new_c,
+      qi_2_new_c_left = qi_2_new_c + qi_2_new_c_right,
+      qi_2_new_c_left_rest = ksl_product_rest(qi_0_new_f, qi->y, qi_2_new_a, qi_2_new_c_left),
+      qi_2_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->x, qi_2_new_b, qi_2_new_c_right),
+      qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w), qi_2_new_e = qi_2_new_c - qi_2_new_d,
+      qi_2_new_e_right = qi_2_new_c - qi_2_new_e, qi_2_new_e_left = qi_2_new_e + qi_2_new_e_right,
+      qi_2_new_e_left_rest = qi_2_new_c - qi_2_new_e_left,
+      qi_2_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->w, qi_2_new_d, qi_2_new_e_right),
+      qi_2_new_e_lo1 = qi_2_new_e_left_rest - qi_2_new_e_right_rest,
+      qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo, qi_2_new = qi_2_new_e + qi->z,
+      qi_2_new_right = qi_2_new - qi_2_new_e, qi_2_new_left = qi_2_new - qi_2_new_right,
+      qi_2_new_left_rest = qi_2_new_e - qi_2_new_left, qi_2_new_right_rest = qi->z - qi_2_new_right,
+      qi_2_new_lo1 = qi_2_new_left_rest + qi_2_new_right_rest,
+      qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_c_right = qi_3_new_c - qi_3_new_a,
+      qi_3_new_c_left = qi_3_new_c - qi_3_new_c_right,
+      qi_3_new_c_left_rest = ksl_product_rest(qi_0_new_f, qi->x, qi_3_new_a, qi_3_new_c_left),
+      qi_3_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->y, qi_3_new_b, qi_3_new_c_right),
+      qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new_e_right = qi_3_new_e - qi_3_new_c, qi_3_new_e_left = qi_3_new_e - qi_3_new_e_right,
+      qi_3_new_e_left_rest = qi_3_new_c - qi_3_new_e_left,
+      qi_3_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->z, qi_3_new_d, qi_3_new_e_right),
+      qi_3_new_e_lo1 = qi_3_new_e_left_rest + qi_3_new_e_right_rest,
+      qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo, qi_3_new = qi_3_new_e + qi->w,
+      qi_3_new_right = qi_3_new - qi_3_new_e, qi_3_new_left = qi_3_new - qi_3_new_right,
+      qi_3_new_left_rest = qi_3_new_e - qi_3_new_left, qi_3_new_right_rest = qi->w - qi_3_new_right,
+      qi_3_new_lo1 = qi_3_new_left_rest + qi_3_new_right_rest,
+      qi_3_new_lo = qi_3_new_lo1 + qi_3_new_e_lo;
+  const double qi_0_new_rounded = qi_0_new + qi_0_new_lo;
+  const double qi_1_new_rounded = qi_1_new + qi_1_new_lo;
+  const double qi_2_new_rounded = qi_2_new + qi_2_new_lo;
+  const double qi_3_new_rounded = qi_3_new + qi_3_new_lo;
+  qi->x = qi_0_new_rounded;
+  qi->y = qi_1_new_rounded;
+  qi->z = qi_2_new_rounded;
+  qi->w = qi_3_new_rounded;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   27 mul, 101 add, 20 product rest.
+   Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *dqo) {
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0b = KSL_MUL(dqo_0a, qi->w),
+      dqo_0c = KSL_MUL(0.5, w->y), dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0f = KSL_MUL(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f, dqo_0g_right = dqo_0d - dqo_0g,
+      dqo_0g_left = dqo_0g + dqo_0g_right,
+      dqo_0g_left_rest = ksl_product_rest(dqo_0c, qi->z, dqo_0d, dqo_0g_left),
+      dqo_0g_right_rest = ksl_product_rest(dqo_0e, qi->y, dqo_0f, dqo_0g_right),
+      dqo_0g_lo = dqo_0g_left_rest - dqo_0g_right_rest, dqo_0h = dqo_0b + dqo_0g,
+      dqo_0h_right = dqo_0h - dqo_0b, dqo_0h_left = dqo_0h - dqo_0h_right,
+      dqo_0h_left_rest = ksl_product_rest(dqo_0a, qi->w, dqo_0b, dqo_0h_left),
+      dqo_0h_right_rest = dqo_0g - dqo_0h_right, dqo_0h_lo1 = dqo_0h_left_rest + dqo_0h_right_rest,
+      dqo_0h_lo = dqo_0h_lo1 + dqo_0g_lo, dqo_0i = KSL_MUL(qi->x, qi->x), dqo_0j = 1.0 - dqo_0i,
+      dqo_0j_right = 1.0 - dqo_0j, dqo_0j_left = dqo_0j + dqo_0j_right,
+      dqo_0j_left_rest = 1.0 - dqo_0j_left,
+      dqo_0j_right_rest = ksl_product_rest(qi->x, qi->x, dqo_0i, dqo_0j_right),
+      dqo_0j_lo = dqo_0j_left_rest - dqo_0j_right_rest, dqo_0k = KSL_MUL(qi->y, qi->y),
+      dqo_0l = dqo_0j - dqo_0k, dqo_0l_right = dqo_0j - dqo_0l, dqo_0l_left = dqo_0l + dqo_0l_right,
+      dqo_0l_left_rest = dqo_0j - dqo_0l_left,
+      dqo_0l_right_rest = ksl_product_rest(qi->y, qi->y, dqo_0k, dqo_0l_right),
+      dqo_0l_lo1 = dqo_0l_left_rest - dqo_0l_right_rest, dqo_0l_lo = dqo_0l_lo1 + dqo_0j_lo,
+      dqo_0m = KSL_MUL(qi->z, qi->z), dqo_0n = dqo_0l - dqo_0m, dqo_0n_right = dqo_0l - dqo_0n,
+      dqo_0n_left = dqo_0n + dqo_0n_right, dqo_0n_left_rest = dqo_0l - dqo_0n_left,
+      dqo_0n_right_rest = ksl_product_rest(qi->z, qi->z, dqo_0m, dqo_0n_right),
+      dqo_0n_lo1 = dqo_0n_left_rest - dqo_0n_right_rest, dqo_0n_lo = dqo_0n_lo1 + dqo_0l_lo,
+      dqo_0o = KSL_MUL(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o, dqo_0p_right = dqo_0n - dqo_0p,
+      dqo_0p_left = dqo_0p + dqo_0p_right, dqo_0p_left_rest = dqo_0n - dqo_0p_left,
+      dqo_0p_right_rest = ksl_product_rest(qi->w, qi->w, dqo_0o, dqo_0p_right),
+      dqo_0p_lo1 = dqo_0p_left_rest - dqo_0p_right_rest, dqo_0p_lo = dqo_0p_lo1 + dqo_0n_lo,
+      dqo_0q_of_dqo_0p = dqo_0p + dqo_0p_lo, dqo_0q_of_dqo_0p_right = dqo_0q_of_dqo_0p - dqo_0p,
+      dqo_0q_of_dqo_0p_left = dqo_0q_of_dqo_0p - dqo_0q_of_dqo_0p_right,
+      dqo_0q_of_dqo_0p_left_rest = dqo_0p - dqo_0q_of_dqo_0p_left,
+      dqo_0q_of_dqo_0p_right_rest = dqo_0p_lo - dqo_0q_of_dqo_0p_right,
+      dqo_0q_of_dqo_0p_lo = dqo_0q_of_dqo_0p_left_rest + dqo_0q_of_dqo_0p_right_rest,
+      dqo_0q = KSL_MUL(qi->x, dqo_0q_of_dqo_0p),
+      dqo_0q_cross2 = KSL_MUL(qi->x, dqo_0q_of_dqo_0p_lo), dqo_0 = dqo_0h + dqo_0q,
+      dqo_0_right = dqo_0 - dqo_0h, dqo_0_left = dqo_0 - dqo_0_right,
+      dqo_0_left_rest = dqo_0h - dqo_0_left,
+      dqo_0_right_rest = ksl_product_rest(qi->x, dqo_0q_of_dqo_0p, dqo_0q, dqo_0_right),
+      dqo_0_lo1 = dqo_0_left_rest + dqo_0_right_rest, dqo_0_lo2 = dqo_0_lo1 + dqo_0q_cross2,
+      dqo_0_lo = dqo_0_lo2 + dqo_0h_lo;
+  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1b = KSL_MUL(dqo_0a, qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1c_right = dqo_1a - dqo_1c, dqo_1c_left = dqo_1c + dqo_1c_right,
+      dqo_1c_left_rest = ksl_product_rest(dqo_0e, qi->x, dqo_1a, dqo_1c_left),
+      dqo_1c_right_rest = ksl_product_rest(dqo_0a, qi->z, dqo_1b, dqo_1c_right),
+      dqo_1c_lo = dqo_1c_left_rest - dqo_1c_right_rest, dqo_1d = KSL_MUL(dqo_0c, qi->w),
+      dqo_1e = dqo_1c + dqo_1d, dqo_1e_right = dqo_1e - dqo_1c, dqo_1e_left = dqo_1e - dqo_1e_right,
+      dqo_1e_left_rest = dqo_1c - dqo_1e_left,
+      dqo_1e_right_rest = ksl_product_rest(dqo_0c, qi->w, dqo_1d, dqo_1e_right),
+      dqo_1e_lo1 = dqo_1e_left_rest + dqo_1e_right_rest, dqo_1e_lo = dqo_1e_lo1 + dqo_1c_lo,
+      dqo_1f = KSL_MUL(qi->y, dqo_0q_of_dqo_0p),
+      dqo_1f_cross2 = KSL_MUL(qi->y, dqo_0q_of_dqo_0p_lo), dqo_1 = dqo_1e + dqo_1f,
+      dqo_1_right = dqo_1 - dqo_1e, dqo_1_left = dqo_1 - dqo_1_right,
+      dqo_1_left_rest = dqo_1e - dqo_1_left,
+      dqo_1_right_rest = ksl_product_rest(qi->y, dqo_0q_of_dqo_0p, dqo_1f, dqo_1_right),
+      dqo_1_lo1 = dqo_1_left_rest + dqo_1_right_rest, dqo_1_lo2 = dqo_1_lo1 + dqo_1f_cross2,
+      dqo_1_lo = dqo_1_lo2 + dqo_1e_lo;
+  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2b = KSL_MUL(dqo_0c, qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2c_right = dqo_2a - dqo_2c, dqo_2c_left = dqo_2c + dqo_2c_right,
+      dqo_2c_left_rest = ksl_product_rest(dqo_0a, qi->y, dqo_2a, dqo_2c_left),
+      dqo_2c_right_rest = ksl_product_rest(dqo_0c, qi->x, dqo_2b, dqo_2c_right),
+      dqo_2c_lo = dqo_2c_left_rest - dqo_2c_right_rest, dqo_2d = KSL_MUL(dqo_0e, qi->w),
+      dqo_2e = dqo_2c + dqo_2d, dqo_2e_right = dqo_2e - dqo_2c, dqo_2e_left = dqo_2e - dqo_2e_right,
+      dqo_2e_left_rest = dqo_2c - dqo_2e_left,
+      dqo_2e_right_rest = ksl_product_rest(dqo_0e, qi->w, dqo_2d, dqo_2e_right),
+      dqo_2e_lo1 = dqo_2e_left_rest + dqo_2e_right_rest, dqo_2e_lo = dqo_2e_lo1 + dqo_2c_lo,
+      dqo_2f = KSL_MUL(qi->z, dqo_0q_of_dqo_0p),
+      dqo_2f_cross2 = KSL_MUL(qi->z, dqo_0q_of_dqo_0p_lo), dqo_2 = dqo_2e + dqo_2f,
+      dqo_2_right = dqo_2 - dqo_2e, dqo_2_left = dqo_2 - dqo_2_right,
+      dqo_2_left_rest = dqo_2e - dqo_2_left,
+      dqo_2_right_rest = ksl_product_rest(qi->z, dqo_0q_of_dqo_0p, dqo_2f, dqo_2_right),
+      dqo_2_lo1 = dqo_2_left_rest + dqo_2_right_rest, dqo_2_lo2 = dqo_2_lo1 + dqo_2f_cross2,
+      dqo_2_lo = dqo_2_lo2 + dqo_2e_lo;
+  const double dqo_3a = KSL_MUL(qi->w, dqo_0q_of_dqo_0p),
+      dqo_3a_cross2 = KSL_MUL(qi->w, dqo_0q_of_dqo_0p_lo), dqo_3b = KSL_MUL(dqo_0a, qi->x),
+      dqo_3c = KSL_MUL(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3d_right = dqo_3d - dqo_3b,
+      dqo_3d_left = dqo_3d - dqo_3d_right,
+      dqo_3d_left_rest = ksl_product_rest(dqo_0a, qi->x, dqo_3b, dqo_3d_left),
+      dqo_3d_right_rest = ksl_product_rest(dqo_0c, qi->y, dqo_3c, dqo_3d_right),
+      dqo_3d_lo = dqo_3d_left_rest + dqo_3d_right_rest, dqo_3e = KSL_MUL(dqo_0e, qi->z),
+      dqo_3f = dqo_3d + dqo_3e, dqo_3f_right = dqo_3f - dqo_3d, dqo_3f_left = dqo_3f - dqo_3f_right,
+      dqo_3f_left_rest = dqo_3d - dqo_3f_left,
+      dqo_3f_right_rest = ksl_product_rest(dqo_0e, qi->z, dqo_3e, dqo_3f_right),
+      dqo_3f_lo1 = dqo_3f_left_rest + dqo_3f_right_rest, dqo_3f_lo = dqo_3f_lo1 + dqo_3d_lo,
+      dqo_3 = dqo_3a - dqo_3f, dqo_3_right = dqo_3a - dqo_3, dqo_3_left = dqo_3 + dqo_3_right,
+      dqo_3_left_rest = ksl_product_rest(qi->w, dqo_0q_of_dqo_0p, dqo_3a, dqo_3_left),
+      dqo_3_right_rest = dqo_3f - dqo_3_right, dqo_3_lo1 = dqo_3_left_rest - dqo_3_right_rest,
+      dqo_3_lo2 = dqo_3_lo1 - dqo_3f_lo, dqo_3_lo = dqo_3_lo2 + dqo_3a_cross2;
+  const double dqo_0_rounded = dqo_0 + dqo_0_lo;
+  const double dqo_1_rounded = dqo_1 + dqo_1_lo;
+  const double dqo_2_rounded = dqo_2 + dqo_2_lo;
+  const double dqo_3_rounded = dqo_3 + dqo_3_lo;
+  dqo->x = dqo_0_rounded;
+  dqo->y = dqo_1_rounded;
+  dqo->z = dqo_2_rounded;
+  dqo->w = dqo_3_rounded;
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
@@ -17507,6 +19010,23 @@ static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const
   self->w = (float)self_3_new;
 }
 
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t *x,
+    ksl_quaternionf_t *y) {
+  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
+  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
+  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
+  const double y_3_new_a = (double)a * (double)x->w, y_3_new = y_3_new_a + (double)y->w;
+  y->x = (float)y_0_new;
+  y->y = (float)y_1_new;
+  y->z = (float)y_2_new;
+  y->w = (float)y_3_new;
+}
+
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
@@ -17620,87 +19140,12 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   qo->w = (float)qo_3;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
-static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->y * (double)q2->z,
-      qo_0c = (double)q1->z * (double)q2->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = (double)q1->w * (double)q2->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = (double)q1->z * (double)q2->x, qo_1b = (double)q1->x * (double)q2->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w, qo_1e = qo_1c + qo_1d,
-      qo_1f = (double)q1->w * (double)q2->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = (double)q1->x * (double)q2->y, qo_2b = (double)q1->y * (double)q2->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w, qo_2e = qo_2c + qo_2d,
-      qo_2f = (double)q1->w * (double)q2->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = (double)q1->w * (double)q2->w, qo_3b = (double)q1->x * (double)q2->x,
-      qo_3c = (double)q1->y * (double)q2->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1->z * (double)q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
-     formula; barring over- and underflow. */
-static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->w * (double)q2->x, qo_0b = (double)q1->x * (double)q2->w,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
-      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->w * (double)q2->y,
-      qo_1e = (double)q1->y * (double)q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->w * (double)q2->z,
-      qo_2e = (double)q1->z * (double)q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
-     formula; barring over- and underflow. */
-static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->w * (double)q2->x,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
-      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w,
-      qo_1e = (double)q1->w * (double)q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w,
-      qo_2e = (double)q1->w * (double)q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double c_0a = (double)q->y * (double)v->z, c_0b = (double)q->z * (double)v->y,
       c_0 = c_0a - c_0b;
@@ -17730,7 +19175,7 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double c_0a = (double)q->z * (double)v->y, c_0b = (double)q->y * (double)v->z,
       c_0 = c_0a - c_0b;
@@ -17753,6 +19198,799 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->y * (double)q2i->z,
+      qo_0c = (double)q1i->z * (double)q2i->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c + qo_1d,
+      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c + qo_2d,
+      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
+      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->w * (double)q2i->x,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w,
+      qo_1e = (double)q1i->w * (double)q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w,
+      qo_2e = (double)q1i->w * (double)q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->w * (double)q2i->x, qo_0b = (double)q1i->x * (double)q2i->w,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->w * (double)q2i->y,
+      qo_1e = (double)q1i->y * (double)q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->w * (double)q2i->z,
+      qo_2e = (double)q1i->z * (double)q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->y * (double)q2i->z, qo_0b = (double)q1i->z * (double)q2i->y,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->x * (double)q2i->w, qo_0e = qo_0c - qo_0d,
+      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e - qo_0f;
+  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c - qo_1d,
+      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e - qo_1f;
+  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c - qo_2d,
+      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e - qo_2f;
+  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
+      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->z,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->w,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->y,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->y * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->w * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->z * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->x,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->z,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->w,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->x * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->z * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->w * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->y,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->x,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->w,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->x * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->w * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->y * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->y * (double)vi->z, qo_0b = (double)qi->z * (double)vi->y,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
+  const double qo_1a = (double)qi->z * (double)vi->x, qo_1b = (double)qi->x * (double)vi->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)qi->x * (double)vi->y, qo_2b = (double)qi->y * (double)vi->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3e = qo_3c + qo_3d,
+      qo_3 = -qo_3e;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
+    const ksl_vec3f_t *vi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->z * (double)vi->y, qo_0b = (double)qi->y * (double)vi->z,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
+  const double qo_1a = (double)qi->x * (double)vi->z, qo_1b = (double)qi->z * (double)vi->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)qi->y * (double)vi->x, qo_2b = (double)qi->x * (double)vi->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3 = qo_3c + qo_3d;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->y * (double)qi->z,
+      qo_0c = (double)vi->z * (double)qi->y, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = (double)vi->z * (double)qi->x, qo_1b = (double)vi->x * (double)qi->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)vi->x * (double)qi->y, qo_2b = (double)vi->y * (double)qi->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3e = qo_3c + qo_3d,
+      qo_3 = -qo_3e;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->z * (double)qi->y,
+      qo_0c = (double)vi->y * (double)qi->z, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = (double)vi->x * (double)qi->z, qo_1b = (double)vi->z * (double)qi->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)vi->y * (double)qi->x, qo_2b = (double)vi->x * (double)qi->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3 = qo_3c + qo_3d;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 3 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i) {
+  const double dot_a = (double)q1i->x * (double)q2i->x, dot_b = (double)q1i->y * (double)q2i->y,
+      dot_c = dot_a + dot_b, dot_d = (double)q1i->z * (double)q2i->z, dot_e = dot_c + dot_d,
+      dot_f = (double)q1i->w * (double)q2i->w, dot = dot_e + dot_f;
+  return (float)dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_dpiToqf_accurate(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const double qi_0_new_a = 0.5 * (double)dpi->x, qi_0_new_b = KSL_MUL(qi_0_new_a, (double)qi->w),
+      qi_0_new_c = 0.5 * (double)dpi->z, qi_0_new_d = KSL_MUL(qi_0_new_c, (double)qi->y),
+      qi_0_new_e = 0.5 * (double)dpi->y, qi_0_new_f = KSL_MUL(qi_0_new_e, (double)qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
+      qi_0_new = qi_0_new_h + (double)qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, (double)qi->z),
+      qi_1_new_b = KSL_MUL(qi_0_new_c, (double)qi->x), qi_1_new_c = qi_1_new_a - qi_1_new_b,
+      qi_1_new_d = KSL_MUL(qi_0_new_e, (double)qi->w), qi_1_new_e = qi_1_new_c + qi_1_new_d,
+      qi_1_new = qi_1_new_e + (double)qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, (double)qi->x),
+      qi_2_new_b = KSL_MUL(qi_0_new_a, (double)qi->y), qi_2_new_c = qi_2_new_a - qi_2_new_b,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, (double)qi->w), qi_2_new_e = qi_2_new_c + qi_2_new_d,
+      qi_2_new = qi_2_new_e + (double)qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, (double)qi->x),
+      qi_3_new_b = KSL_MUL(qi_0_new_e, (double)qi->y), qi_3_new_c = qi_3_new_a + qi_3_new_b,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, (double)qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new = (double)qi->w - qi_3_new_e;
+  qi->x = (float)qi_0_new;
+  qi->y = (float)qi_1_new;
+  qi->z = (float)qi_2_new;
+  qi->w = (float)qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const double qi_0_new_a = 0.5 * (double)dpi->y, qi_0_new_b = KSL_MUL(qi_0_new_a, (double)qi->z),
+      qi_0_new_c = 0.5 * (double)dpi->z, qi_0_new_d = KSL_MUL(qi_0_new_c, (double)qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = 0.5 * (double)dpi->x,
+      qi_0_new_g = KSL_MUL(qi_0_new_f, (double)qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
+      qi_0_new = qi_0_new_h + (double)qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, (double)qi->x),
+      qi_1_new_b = KSL_MUL(qi_0_new_f, (double)qi->z), qi_1_new_c = qi_1_new_a - qi_1_new_b,
+      qi_1_new_d = KSL_MUL(qi_0_new_a, (double)qi->w), qi_1_new_e = qi_1_new_c - qi_1_new_d,
+      qi_1_new = qi_1_new_e + (double)qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, (double)qi->y),
+      qi_2_new_b = KSL_MUL(qi_0_new_a, (double)qi->x), qi_2_new_c = qi_2_new_a - qi_2_new_b,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, (double)qi->w), qi_2_new_e = qi_2_new_c - qi_2_new_d,
+      qi_2_new = qi_2_new_e + (double)qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, (double)qi->x),
+      qi_3_new_b = KSL_MUL(qi_0_new_a, (double)qi->y), qi_3_new_c = qi_3_new_a + qi_3_new_b,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, (double)qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new = qi_3_new_e + (double)qi->w;
+  qi->x = (float)qi_0_new;
+  qi->y = (float)qi_1_new;
+  qi->z = (float)qi_2_new;
+  qi->w = (float)qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   23 mul, 16 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *dqo) {
+  const double dqo_0a = 0.5 * (double)w->x, dqo_0b = KSL_MUL(dqo_0a, (double)qi->w),
+      dqo_0c = 0.5 * (double)w->y, dqo_0d = KSL_MUL(dqo_0c, (double)qi->z),
+      dqo_0e = 0.5 * (double)w->z, dqo_0f = KSL_MUL(dqo_0e, (double)qi->y),
+      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = (double)qi->x * (double)qi->x,
+      dqo_0j = 1.0 - dqo_0i, dqo_0k = (double)qi->y * (double)qi->y, dqo_0l = dqo_0j - dqo_0k,
+      dqo_0m = (double)qi->z * (double)qi->z, dqo_0n = dqo_0l - dqo_0m,
+      dqo_0o = (double)qi->w * (double)qi->w, dqo_0p = dqo_0n - dqo_0o,
+      dqo_0q = KSL_MUL((double)qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
+  const double dqo_1a = KSL_MUL(dqo_0e, (double)qi->x), dqo_1b = KSL_MUL(dqo_0a, (double)qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, (double)qi->w), dqo_1e = dqo_1c + dqo_1d,
+      dqo_1f = KSL_MUL((double)qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
+  const double dqo_2a = KSL_MUL(dqo_0a, (double)qi->y), dqo_2b = KSL_MUL(dqo_0c, (double)qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, (double)qi->w), dqo_2e = dqo_2c + dqo_2d,
+      dqo_2f = KSL_MUL((double)qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
+  const double dqo_3a = KSL_MUL((double)qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, (double)qi->x),
+      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d = dqo_3b + dqo_3c,
+      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  dqo->x = (float)dqo_0;
+  dqo->y = (float)dqo_1;
+  dqo->z = (float)dqo_2;
+  dqo->w = (float)dqo_3;
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.

@@ -78,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "ec3e82d4db8bef87") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "114c496c596fdae0") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

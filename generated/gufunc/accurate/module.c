@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "9c6655d3b62a94f6") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "e82d8532dd255c8f") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -1781,6 +1781,80 @@ static inline void ksl_mat3x3_setFromAxisAngle(
   ksl_mat3x3_from_axis_angle(&unit, angle, r);
 }
 
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const double value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3_swap(&v->v[i], &v->v[j]);
+      ksl_vec3_invert(&v->v[j]);
+    }
+  }
+}
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
+  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3f_inverted(
+    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
+  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+static inline void ksl_mat3x3f_getAxisAngle(
+    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
+  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3f_setFromAxisAngle(
+    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
+  ksl_vec3f_t unit;
+  ksl_vec3f_normalized(axis, &unit);
+  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
+}
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3f_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3f_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const float value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3f_swap(&v->v[i], &v->v[j]);
+      ksl_vec3f_invert(&v->v[j]);
+    }
+  }
+}
+
+
 /* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
    about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3_setFromEulerAngles(
@@ -1850,55 +1924,6 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
 #define ksl_mat3x3_getEulerAngles(r, ...) \
   ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
-   is read. */
-static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
-  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
-  ksl_mat3x3_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
-  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
-    ksl_mat3x3_jacobi(A, v);
-  }
-  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
-  for (int n = 0; n < 3; n++) {
-    const int i = pairs[n][0], j = pairs[n][1];
-    const double value = A->at[i][i];
-    if (value < A->at[j][j]) {
-      A->at[i][i] = A->at[j][j];
-      A->at[j][j] = value;
-      ksl_vec3_swap(&v->v[i], &v->v[j]);
-      ksl_vec3_invert(&v->v[j]);
-    }
-  }
-}
-
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
-static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
-  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
-}
-
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
-static inline int ksl_mat3x3f_inverted(
-    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
-  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
-}
-
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
-static inline void ksl_mat3x3f_getAxisAngle(
-    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
-  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
-}
-
-/* The rotation about an axis of any length but zero; of that, the identity. */
-static inline void ksl_mat3x3f_setFromAxisAngle(
-    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
-  ksl_vec3f_t unit;
-  ksl_vec3f_normalized(axis, &unit);
-  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
-}
-
 /* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
    about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_setFromEulerAngles(
@@ -1967,29 +1992,5 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
 /* The same; the reference may be left out. */
 #define ksl_mat3x3f_getEulerAngles(r, ...) \
   ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
-
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
-   is read. */
-static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
-  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
-  ksl_mat3x3f_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
-  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
-    ksl_mat3x3f_jacobi(A, v);
-  }
-  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
-  for (int n = 0; n < 3; n++) {
-    const int i = pairs[n][0], j = pairs[n][1];
-    const float value = A->at[i][i];
-    if (value < A->at[j][j]) {
-      A->at[i][i] = A->at[j][j];
-      A->at[j][j] = value;
-      ksl_vec3f_swap(&v->v[i], &v->v[j]);
-      ksl_vec3f_invert(&v->v[j]);
-    }
-  }
-}
 
 #endif

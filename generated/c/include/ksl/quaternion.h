@@ -49,6 +49,22 @@ static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) 
   self->w = self_3_new;
 }
 
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_axpy_qq(const double a, const ksl_quaternion_t *x, ksl_quaternion_t *y) {
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
+  const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+  y->w = y_3_new;
+}
+
 /* self = (0; 1).
    self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
@@ -187,87 +203,12 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
   qo->w = qo_3;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->y, q2->z),
-      qo_0c = KSL_MUL(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MUL(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
-  const double qo_1a = KSL_MUL(q1->z, q2->x), qo_1b = KSL_MUL(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MUL(q1->w, q2->y),
-      qo_1 = qo_1e + qo_1f;
-  const double qo_2a = KSL_MUL(q1->x, q2->y), qo_2b = KSL_MUL(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MUL(q1->w, q2->z),
-      qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL(q1->w, q2->w), qo_3b = KSL_MUL(q1->x, q2->x),
-      qo_3c = KSL_MUL(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, q2->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjq(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->w, q2->x), qo_0b = KSL_MUL(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
-      qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(q1->w, q2->y), qo_1e = KSL_MUL(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
-      qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(q1->w, q2->z), qo_2e = KSL_MUL(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
-      qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
-      qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconj(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1->x, q2->w), qo_0b = KSL_MUL(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(q1->z, q2->y), qo_0e = KSL_MUL(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
-      qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1->x, q2->z), qo_1b = KSL_MUL(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(q1->y, q2->w), qo_1e = KSL_MUL(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
-      qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1->y, q2->x), qo_2b = KSL_MUL(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(q1->z, q2->w), qo_2e = KSL_MUL(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
-      qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1->x, q2->x), qo_3b = KSL_MUL(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MUL(q1->w, q2->w),
-      qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
+static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
   const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
   const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
@@ -293,7 +234,7 @@ static inline void ksl_product_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
   const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
   const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
@@ -313,6 +254,711 @@ static inline void ksl_product_qconjv(const ksl_quaternion_t *q, const ksl_vec3_
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->y, q2i->z),
+      qo_0c = KSL_MUL(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->w, q2i->x),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
+      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = KSL_MUL(q1i->w, q2i->y),
+      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = KSL_MUL(q1i->w, q2i->z),
+      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0b = KSL_MUL(q1i->x, q2i->w),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
+      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->w, q2i->y), qo_1e = KSL_MUL(q1i->y, q2i->w),
+      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->w, q2i->z), qo_2e = KSL_MUL(q1i->z, q2i->w),
+      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0b = KSL_MUL(q1i->z, q2i->y),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
+      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->w), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->z), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->y), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a + qo_0b;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, const double dci[2],
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
+  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0b = KSL_MUL(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
+  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1b = KSL_MUL(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
+  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2b = KSL_MUL(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0b = KSL_MUL(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
+  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1b = KSL_MUL(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
+  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2b = KSL_MUL(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->y, qi->z),
+      qo_0c = KSL_MUL(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1b = KSL_MUL(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
+  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2b = KSL_MUL(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
+    ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->z, qi->y),
+      qo_0c = KSL_MUL(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1b = KSL_MUL(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
+  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2b = KSL_MUL(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MUL(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 3 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
+  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_b = KSL_MUL(q1i->y, q2i->y),
+      dot_c = dot_a + dot_b, dot_d = KSL_MUL(q1i->z, q2i->z), dot_e = dot_c + dot_d,
+      dot_f = KSL_MUL(q1i->w, q2i->w), dot = dot_e + dot_f;
+  return dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->w),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = KSL_MUL(0.5, dpi->y), qi_0_new_f = KSL_MUL(qi_0_new_e, qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
+      qi_0_new = qi_0_new_h + qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z), qi_1_new_b = KSL_MUL(qi_0_new_c, qi->x),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_e, qi->w),
+      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
+      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_e, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
+      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MUL(0.5, dpi->x),
+      qi_0_new_g = KSL_MUL(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
+      qi_0_new = qi_0_new_h + qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x), qi_1_new_b = KSL_MUL(qi_0_new_f, qi->z),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_a, qi->w),
+      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->x),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
+      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
+      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   23 mul, 16 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
+    ksl_quaternion_t *dqo) {
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0b = KSL_MUL(dqo_0a, qi->w),
+      dqo_0c = KSL_MUL(0.5, w->y), dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0f = KSL_MUL(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g,
+      dqo_0i = KSL_MUL(qi->x, qi->x), dqo_0j = 1.0 - dqo_0i, dqo_0k = KSL_MUL(qi->y, qi->y),
+      dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MUL(qi->z, qi->z), dqo_0n = dqo_0l - dqo_0m,
+      dqo_0o = KSL_MUL(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o, dqo_0q = KSL_MUL(qi->x, dqo_0p),
+      dqo_0 = dqo_0h + dqo_0q;
+  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1b = KSL_MUL(dqo_0a, qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
+      dqo_1f = KSL_MUL(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
+  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2b = KSL_MUL(dqo_0c, qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
+      dqo_2f = KSL_MUL(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
+  const double dqo_3a = KSL_MUL(qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, qi->x),
+      dqo_3c = KSL_MUL(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MUL(dqo_0e, qi->z),
+      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  dqo->x = dqo_0;
+  dqo->y = dqo_1;
+  dqo->z = dqo_2;
+  dqo->w = dqo_3;
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
@@ -618,8 +1264,8 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
      select.
    Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
-static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    const double k, ksl_quaternion_t *qo) {
+static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
+    const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
   const double between_0a = KSL_MUL(q1->w, q2->x), between_0b = KSL_MUL(q1->x, q2->w),
       between_0c = between_0a - between_0b, between_0d = KSL_MUL(q1->z, q2->y),
       between_0e = KSL_MUL(q1->y, q2->z), between_0f = between_0d - between_0e,
@@ -801,6 +1447,22 @@ static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a)
   self->w = self_3_new;
 }
 
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_axpy_qqf(const float a, const ksl_quaternionf_t *x, ksl_quaternionf_t *y) {
+  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
+  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
+  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
+  const float y_3_new_a = KSL_MULF(a, x->w), y_3_new = y_3_new_a + y->w;
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+  y->w = y_3_new;
+}
+
 /* self = (0; 1).
    self: quaternion (x, y, z, w), the scalar last.
    No arithmetic.
@@ -938,87 +1600,12 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
   qo->w = qo_3;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->y, q2->z),
-      qo_0c = KSL_MULF(q1->z, q2->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MULF(q1->w, q2->x), qo_0 = qo_0e + qo_0f;
-  const float qo_1a = KSL_MULF(q1->z, q2->x), qo_1b = KSL_MULF(q1->x, q2->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = qo_1c + qo_1d, qo_1f = KSL_MULF(q1->w, q2->y),
-      qo_1 = qo_1e + qo_1f;
-  const float qo_2a = KSL_MULF(q1->x, q2->y), qo_2b = KSL_MULF(q1->y, q2->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = qo_2c + qo_2d, qo_2f = KSL_MULF(q1->w, q2->z),
-      qo_2 = qo_2e + qo_2f;
-  const float qo_3a = KSL_MULF(q1->w, q2->w), qo_3b = KSL_MULF(q1->x, q2->x),
-      qo_3c = KSL_MULF(q1->y, q2->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, q2->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1->w, q2->x), qo_0b = KSL_MULF(q1->x, q2->w), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
-      qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(q1->w, q2->y), qo_1e = KSL_MULF(q1->y, q2->w), qo_1f = qo_1d - qo_1e,
-      qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(q1->w, q2->z), qo_2e = KSL_MULF(q1->z, q2->w), qo_2f = qo_2d - qo_2e,
-      qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
-      qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
-    ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1->x, q2->w), qo_0b = KSL_MULF(q1->w, q2->x), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(q1->z, q2->y), qo_0e = KSL_MULF(q1->y, q2->z), qo_0f = qo_0d - qo_0e,
-      qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1->x, q2->z), qo_1b = KSL_MULF(q1->z, q2->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(q1->y, q2->w), qo_1e = KSL_MULF(q1->w, q2->y), qo_1f = qo_1d - qo_1e,
-      qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1->y, q2->x), qo_2b = KSL_MULF(q1->x, q2->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(q1->z, q2->w), qo_2e = KSL_MULF(q1->w, q2->z), qo_2f = qo_2d - qo_2e,
-      qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1->x, q2->x), qo_3b = KSL_MULF(q1->y, q2->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(q1->z, q2->z), qo_3e = qo_3c + qo_3d, qo_3f = KSL_MULF(q1->w, q2->w),
-      qo_3 = qo_3e + qo_3f;
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
   const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
@@ -1045,7 +1632,7 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t
    18 mul, 12 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
   const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
@@ -1065,6 +1652,789 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *q, const ksl_vec
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->y, q2i->z),
+      qo_0c = KSL_MULF(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
+  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
+      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
+  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
+      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
+  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
+      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->w, q2i->x),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
+      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = KSL_MULF(q1i->w, q2i->y),
+      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = KSL_MULF(q1i->w, q2i->z),
+      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
+      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->w, q2i->x), qo_0b = KSL_MULF(q1i->x, q2i->w),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
+      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->w, q2i->y), qo_1e = KSL_MULF(q1i->y, q2i->w),
+      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->w, q2i->z), qo_2e = KSL_MULF(q1i->z, q2i->w),
+      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
+      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->y, q2i->z), qo_0b = KSL_MULF(q1i->z, q2i->y),
+      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
+      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
+  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
+      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
+  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
+      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
+  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
+      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->z),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->w),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->y),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->y, dci[0]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->x),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->z),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->w),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->x, dci[0]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->y),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->x),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->w),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
+      qo_0 = qo_0a + qo_0b;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->x, dci[0]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
+      qo_2 = qo_2a + qo_2b;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
+      qo_1 = qo_1a + qo_1b;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
+      qo_1 = qo_1a - qo_1b;
+  const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
+      qo_2 = qo_2a - qo_2b;
+  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
+      qo_3 = qo_3a + qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
+      qo_0 = qo_0a - qo_0b;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
+      qo_3 = qo_3a - qo_3b;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->y, vi->z), qo_0b = KSL_MULF(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
+  const float qo_1a = KSL_MULF(qi->z, vi->x), qo_1b = KSL_MULF(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
+  const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2b = KSL_MULF(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->z, vi->y), qo_0b = KSL_MULF(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
+      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
+  const float qo_1a = KSL_MULF(qi->x, vi->z), qo_1b = KSL_MULF(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
+  const float qo_2a = KSL_MULF(qi->y, vi->x), qo_2b = KSL_MULF(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->y, qi->z),
+      qo_0c = KSL_MULF(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const float qo_1a = KSL_MULF(vi->z, qi->x), qo_1b = KSL_MULF(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
+  const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2b = KSL_MULF(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->z, qi->y),
+      qo_0c = KSL_MULF(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const float qo_1a = KSL_MULF(vi->x, qi->z), qo_1b = KSL_MULF(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
+      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
+  const float qo_2a = KSL_MULF(vi->y, qi->x), qo_2b = KSL_MULF(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
+      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3d = KSL_MULF(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 3 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i) {
+  const float dot_a = KSL_MULF(q1i->x, q2i->x), dot_b = KSL_MULF(q1i->y, q2i->y),
+      dot_c = dot_a + dot_b, dot_d = KSL_MULF(q1i->z, q2i->z), dot_e = dot_c + dot_d,
+      dot_f = KSL_MULF(q1i->w, q2i->w), dot = dot_e + dot_f;
+  return dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->w),
+      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
+      qi_0_new_e = KSL_MULF(0.5f, dpi->y), qi_0_new_f = KSL_MULF(qi_0_new_e, qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
+      qi_0_new = qi_0_new_h + qi->x;
+  const float qi_1_new_a = KSL_MULF(qi_0_new_a, qi->z), qi_1_new_b = KSL_MULF(qi_0_new_c, qi->x),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_e, qi->w),
+      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
+  const float qi_2_new_a = KSL_MULF(qi_0_new_e, qi->x), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->y),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
+      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
+  const float qi_3_new_a = KSL_MULF(qi_0_new_a, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_e, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
+      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MULF(0.5f, dpi->x),
+      qi_0_new_g = KSL_MULF(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
+      qi_0_new = qi_0_new_h + qi->x;
+  const float qi_1_new_a = KSL_MULF(qi_0_new_c, qi->x), qi_1_new_b = KSL_MULF(qi_0_new_f, qi->z),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_a, qi->w),
+      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
+  const float qi_2_new_a = KSL_MULF(qi_0_new_f, qi->y), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->x),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
+      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
+  const float qi_3_new_a = KSL_MULF(qi_0_new_f, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_a, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
+      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   23 mul, 16 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *dqo) {
+  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0b = KSL_MULF(dqo_0a, qi->w),
+      dqo_0c = KSL_MULF(0.5f, w->y), dqo_0d = KSL_MULF(dqo_0c, qi->z),
+      dqo_0e = KSL_MULF(0.5f, w->z), dqo_0f = KSL_MULF(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f,
+      dqo_0h = dqo_0b + dqo_0g, dqo_0i = KSL_MULF(qi->x, qi->x), dqo_0j = 1.0f - dqo_0i,
+      dqo_0k = KSL_MULF(qi->y, qi->y), dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MULF(qi->z, qi->z),
+      dqo_0n = dqo_0l - dqo_0m, dqo_0o = KSL_MULF(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o,
+      dqo_0q = KSL_MULF(qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
+  const float dqo_1a = KSL_MULF(dqo_0e, qi->x), dqo_1b = KSL_MULF(dqo_0a, qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MULF(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
+      dqo_1f = KSL_MULF(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
+  const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2b = KSL_MULF(dqo_0c, qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MULF(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
+      dqo_2f = KSL_MULF(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
+  const float dqo_3a = KSL_MULF(qi->w, dqo_0p), dqo_3b = KSL_MULF(dqo_0a, qi->x),
+      dqo_3c = KSL_MULF(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MULF(dqo_0e, qi->z),
+      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  dqo->x = dqo_0;
+  dqo->y = dqo_1;
+  dqo->z = dqo_2;
+  dqo->w = dqo_3;
 }
 
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
@@ -1366,8 +2736,8 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
      select.
    Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
-static inline void ksl_quaternionf_slerp(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
-    const float k, ksl_quaternionf_t *qo) {
+static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
+    const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
   const float between_0a = KSL_MULF(q1->w, q2->x), between_0b = KSL_MULF(q1->x, q2->w),
       between_0c = between_0a - between_0b, between_0d = KSL_MULF(q1->z, q2->y),
       between_0e = KSL_MULF(q1->y, q2->z), between_0f = between_0d - between_0e,
@@ -1533,5 +2903,144 @@ static inline ksl_quaternionf_t *ksl_quaternionf_alloc(int n) {
 }
 
 #endif
+
+/* What KSL declares beside formulas. */
+
+
+/* The same as ksl_quaternion_from_mat3x3. */
+static inline void ksl_mat3x3_toQuaternion(const ksl_mat3x3_t *ri,
+    ksl_quaternion_t *qo) {
+  ksl_quaternion_from_mat3x3(ri, qo);
+}
+
+/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
+static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
+    ksl_mat3x3_t *ro) {
+  ksl_quaternion_normalize(qi);
+  ksl_mat3x3_from_quaternion(qi, ro);
+}
+
+/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
+     ksl_quaternion_interpolated goes the shorter way. */
+static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
+  const double k = *t, twice = 2 * k;
+  if (ksl_dot_qq(q1i, q2i) >= 0) {
+    ksl_quaternion_interpolated(q1i, q2i, k, qo);
+  } else { /* by way of the middle: either half is the shorter arc */
+    ksl_quaternion_t middle = *q2i;
+    ksl_axpy_qq(1.0, q1i, &middle);
+    ksl_quaternion_normalize(&middle);
+    if (twice <= 1) {
+      ksl_quaternion_interpolated(q1i, &middle, twice, qo);
+    } else {
+      ksl_quaternion_interpolated(&middle, q2i, twice - 1, qo);
+    }
+  }
+}
+
+/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
+     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
+static inline void ksl_quaternion_squad(
+    ksl_quaternion_t qi[4], double *t, ksl_quaternion_t *qo) {
+  ksl_quaternion_t ends, inner;
+  const double rest = 1 - *t, twice = 2 * *t;
+  double k = twice * rest;
+  ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
+  ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
+  ksl_quaternion_slerp(&ends, &inner, &k, qo);
+}
+
+/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
+static inline void ksl_quaternion_nlerp(
+    const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i, const double *t,
+    ksl_quaternion_t *qo) {
+  const double k = *t, towards = ksl_dot_qq(q1i, q2i) < 0 ? -k : k;
+  ksl_quaternion_t o = k >= 1 ? *q2i : *q1i;
+  if (k >= 1e-9 && k < 1) {
+    ksl_quaternion_scale(&o, 1 - k);
+    ksl_axpy_qq(towards, q2i, &o);
+    ksl_quaternion_normalize(&o);
+  }
+  *qo = o;
+}
+
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+     underflows. */
+static inline void ksl_quaternion_product_uqinverseq(
+    ksl_quaternion_t *q1i, ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double square = ksl_dot_qq(q1i, q1i);
+  ksl_quaternion_product_qconjq(q1i, q2i, qo);
+  ksl_quaternion_scale(qo, 1 / square);
+}
+
+/* The same as ksl_quaternionf_from_mat3x3. */
+static inline void ksl_mat3x3f_toQuaternion(const ksl_mat3x3f_t *ri,
+    ksl_quaternionf_t *qo) {
+  ksl_quaternionf_from_mat3x3(ri, qo);
+}
+
+/* Normalizes qi, and sets ro to its rotation: qi = qi / |qi|, ro = R(qi). */
+static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
+    ksl_mat3x3f_t *ro) {
+  ksl_quaternionf_normalize(qi);
+  ksl_mat3x3f_from_quaternion(qi, ro);
+}
+
+/* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
+     ksl_quaternionf_interpolated goes the shorter way. */
+static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
+  const float k = *t, twice = 2 * k;
+  if (ksl_dot_qqf(q1i, q2i) >= 0) {
+    ksl_quaternionf_interpolated(q1i, q2i, k, qo);
+  } else { /* by way of the middle: either half is the shorter arc */
+    ksl_quaternionf_t middle = *q2i;
+    ksl_axpy_qqf(1.0f, q1i, &middle);
+    ksl_quaternionf_normalize(&middle);
+    if (twice <= 1) {
+      ksl_quaternionf_interpolated(q1i, &middle, twice, qo);
+    } else {
+      ksl_quaternionf_interpolated(&middle, q2i, twice - 1, qo);
+    }
+  }
+}
+
+/* qo = slerp(slerp(qi[0], qi[3], t), slerp(qi[1], qi[2], t), 2 t (1 - t)): Shoemake's curve from qi[0]
+     to qi[3] with the inner control points qi[1], qi[2]; all of norm 1. */
+static inline void ksl_squadf(
+    ksl_quaternionf_t qi[4], float *t, ksl_quaternionf_t *qo) {
+  ksl_quaternionf_t ends, inner;
+  const float rest = 1 - *t, twice = 2 * *t;
+  float k = twice * rest;
+  ksl_slerpf(&qi[0], &qi[3], t, &ends);
+  ksl_slerpf(&qi[1], &qi[2], t, &inner);
+  ksl_slerpf(&ends, &inner, &k, qo);
+}
+
+/* qo = (1 - t) q1i ± t q2i along the shorter arc, normalized; q1i where t < 1e-9, q2i where t >= 1. */
+static inline void ksl_nlerpf(
+    const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i, const float *t,
+    ksl_quaternionf_t *qo) {
+  const float k = *t, towards = ksl_dot_qqf(q1i, q2i) < 0 ? -k : k;
+  ksl_quaternionf_t o = k >= 1 ? *q2i : *q1i;
+  if (k >= 1e-9f && k < 1) {
+    ksl_quaternionf_scale(&o, 1 - k);
+    ksl_axpy_qqf(towards, q2i, &o);
+    ksl_quaternionf_normalize(&o);
+  }
+  *qo = o;
+}
+
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+     underflows. */
+static inline void ksl_product_uqinverseqf(
+    ksl_quaternionf_t *q1i, ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float square = ksl_dot_qqf(q1i, q1i);
+  ksl_product_qconjqf(q1i, q2i, qo);
+  ksl_quaternionf_scale(qo, 1 / square);
+}
 
 #endif
