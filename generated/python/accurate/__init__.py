@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "e82d8532dd255c8f")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "b8209568a82e1bc4")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
