@@ -1213,7 +1213,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +\n"
+    "49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (6 +\n"
     "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
     "proved.\n",
    1, 1, SO3_exp_loops},
@@ -1274,7 +1274,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "D = exp s = [exp ω~ | J_l(ω) v].\n"
     "\n"
     "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
-    "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +\n"
+    "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +\n"
     "θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of\n"
     "s| <= 1e13, in single precision 1e5; searched, not proved.\n",
    1, 1, SE3_exp_loops},
@@ -1318,7 +1318,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
-    "select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is\n"
+    "select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is\n"
     "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
