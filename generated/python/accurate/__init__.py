@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "292923592b129d3a")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "b10c65f13e7b702b")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
