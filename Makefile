@@ -43,7 +43,7 @@ $(VENV)/built: $(SOURCES) codegen/build.py
 # The main job: static joint torques of a Panda arm with a payload, in C and Python.
 example: build
 	@mkdir -p build
-	@if $(CC) -std=c11 -O2 -ffp-contract=off -I generated/c/include examples/static_torques.c \
+	@if $(CC) -O2 -I generated/c/include examples/static_torques.c \
 	    -o build/static_torques -lm 2>build/static_torques.log; then \
 	  $(PYTHON) examples/static_torques.py build/static_torques; \
 	else \

@@ -17,6 +17,7 @@ class BuildExt(build_ext):
             extension.include_dirs.append(numpy.get_include())
             extension.extra_compile_args += (
                 ["/O2", "/fp:precise", "/std:c11", "/utf-8"] if microsoft else
-                ["-O3", "-g0", "-ffp-contract=off", "-fno-fast-math", "-fvisibility=hidden"])
+                ["-O3", "-g0", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fno-fast-math",
+                 "-fvisibility=hidden"])
             extension.libraries += [] if microsoft else ["m"]
         super().build_extensions()

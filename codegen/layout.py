@@ -11,7 +11,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import c, c_ksl, c_storage, numpy
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.targets.precision import DOUBLE, Precision
 from coscrew_codegen.tiers.plain import plain
 from coscrew_codegen.tiers.table import TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
@@ -49,13 +49,14 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
         files |= {f"c/include/ksl/{name}.h": text for name, text in headers.items()}
         files |= {f"c/include/ksl/{name}.h": render("c/refused.h", banner=selection.banner,
                                                     what=what, sentence=sentence)
-                  for name, (what, sentence) in c_ksl.REFUSED.items()}
+                  for name, (what, sentence) in c_ksl.REFUSED.items()
+                  if "vec3" in selection.families}
     for tier in (None, *TIERS):
         made = headers
         if tier and "c" in selection.languages:
             made = _tier_headers(selection, programs, tier)
             files |= {f"c/include/ksl/{name}.h": text for name, text in made.items()}
-            made = {"ksl_types": headers["ksl_types"], **made}
+            made = {name: headers[name] for name in ("ksl_rounding", "ksl_types")} | made
         files |= _tier_files(selection, programs, tier, _amalgamation(
             selection, made, f"All headers of {tier.name if tier else 'plain'} kernels"))
     if selection.languages == ("c", "python"):
@@ -100,7 +101,9 @@ def _documented(selection: Selection, programs: Programs,
 def _headers(selection: Selection, programs: Programs) -> dict[str, str]:
     """The headers by name, each after those it includes."""
     families = selection.families
-    headers = {"ksl_types": _types_header(selection)}
+    headers = {"ksl_rounding": render("c/ksl_rounding.h", banner=selection.banner,
+                                      products=selection.precisions),
+               "ksl_types": _types_header(selection)}
     for name, title in _header_titles(families).items():
         functions = [function for precision in selection.precisions
                      for function in (*c_storage.storage_functions(name, precision),
@@ -163,7 +166,8 @@ def _included(family: str, families: tuple[str, ...]) -> tuple[str, ...]:
 
 def _tier_headers(selection: Selection, programs: Programs, tier: Tier) -> dict[str, str]:
     """The headers of a tier behind plain: exact errors, one per family, one that includes all."""
-    exact = {"ksl_exact": render("c/ksl_exact.h", banner=selection.banner)}
+    exact = {"ksl_exact": render("c/ksl_exact.h", banner=selection.banner, products=[
+        DOUBLE] if DOUBLE not in selection.precisions else [])}
     headers = exact if tier.header == "ksl_exact" else {}
     for family in selection.families:
         functions = [

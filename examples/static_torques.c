@@ -8,7 +8,7 @@
    N m.  examples/static_torques.py is the same program in Python, cites the data, and compares the
    results of both.
 
-     cc -std=c11 -O2 -ffp-contract=off -I generated/c/include examples/static_torques.c -lm */
+     cc -O2 -I generated/c/include examples/static_torques.c -lm */
 #include <ksl/ksl.h>
 #include <stdio.h>
 

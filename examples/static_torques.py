@@ -8,7 +8,7 @@ all at the base's origin, where coscrews add.  τ_i, in N m, is what motor i mus
 still; joint 1 is vertical, so τ_1 = 0.  The same program in C is examples/static_torques.c; to
 compare the two, from the folder above:
 
-  cc -std=c11 -O2 -ffp-contract=off -I generated/c/include examples/static_torques.c \
+  cc -O2 -I generated/c/include examples/static_torques.c \
      -o static_torques -lm
   python examples/static_torques.py ./static_torques
 

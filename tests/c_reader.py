@@ -25,6 +25,8 @@ FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
 _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2": sp.atan2}
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
            "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
+_PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
+"""What a product that is never fused into a sum is called, in each precision."""
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
@@ -218,6 +220,8 @@ class Header:
             yield node.type
         elif isinstance(node, c_ast.FuncCall) and node.name.name.removesuffix("f") in _MATH:
             yield "float" if node.name.name.endswith("f") else "double"
+        elif isinstance(node, c_ast.FuncCall) and node.name.name in _PRODUCTS:
+            yield _PRODUCTS[node.name.name]
         elif isinstance(node, c_ast.FuncCall) and node.name.name in self.texts:
             yield from self._precisions(self._function(node.name.name).decl)
         for _, child in node.children():
@@ -266,7 +270,8 @@ class Header:
                 return self._choice(node, scope)
             case c_ast.FuncCall():
                 name, arguments = node.name.name, [self._value(a, scope) for a in node.args.exprs]
-                known = self.arithmetic.functions.get(name.removesuffix("f"))
+                operation = "*" if name in _PRODUCTS else name.removesuffix("f")
+                known = self.arithmetic.functions.get(operation)
                 return known(*arguments) if known else self.call(name, *arguments)
             case _:
                 place = self._place(node, scope)

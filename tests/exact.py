@@ -212,11 +212,21 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "quaternion_scale": lambda q, a: a * q,
     "quaternion_setIdentity": lambda q: eye(4)[3],
     "quaternion_conjugated": conjugate,
-    "product_qq": product,
-    "product_qconjq": lambda q1, q2: product(conjugate(q1), q2),
-    "product_qqconj": lambda q1, q2: product(q1, conjugate(q2)),
-    "product_qv": lambda q, v: rotation_of(q) @ v,
-    "product_qconjv": lambda q, v: rotation_of(q).T @ v,
+    "quaternion_product_qq": product,
+    "quaternion_product_qconjq": lambda q1, q2: product(conjugate(q1), q2),
+    "quaternion_product_qqconj": lambda q1, q2: product(q1, conjugate(q2)),
+    "quaternion_product_qconjqconj": lambda q1, q2: conjugate(product(q2, q1)),
+    "quaternion_product_qv": lambda q, v: product(q, joined(v, [0])),
+    "quaternion_product_qconjv": lambda q, v: product(conjugate(q), joined(v, [0])),
+    "quaternion_product_vq": lambda v, q: product(joined(v, [0]), q),
+    "quaternion_product_vqconj": lambda v, q: product(joined(v, [0]), conjugate(q)),
+    "dot_qq": lambda q1, q2: q1 @ q2,
+    "axpy_qq": lambda a, x, y: a * x + y,
+    "add_dpiToq": lambda dpi, q: q + product(q, joined(dpi, [0])) / 2,
+    "subtract_dpiFromq": lambda dpi, q: q - product(q, joined(dpi, [0])) / 2,
+    "omega_to_dquaternion": lambda w, q: product(joined(w, [0]), q) / 2 + (1 - q @ q) * q,
+    "rotate_qv": lambda q, v: rotation_of(q) @ v,
+    "rotate_qconjv": lambda q, v: rotation_of(q).T @ v,
     "mat3x3_from_quaternion": rotation_of,
     "mat3x3_orthonormalize": orthonormalized,
     "mat3x3_orthonormalized": orthonormalized,
@@ -239,6 +249,19 @@ def _of_axis(i: int) -> dict[str, Callable[..., Matrix]]:
         f"product_ddr{x}": lambda D, dc: compose(D, displacement(turn(i, dc), O3)),
         f"product_ddt{x}": lambda D, k: compose(D, displacement(I3, k * e)),
     }
+
+
+def _of_turn(i: int) -> dict[str, Callable[..., Matrix]]:
+    """Products with the turn whose half angle has this sine and cosine."""
+    def turned(dc: Matrix) -> Matrix:
+        return joined(I3[i] * dc[0], [dc[1]])
+
+    both, x = (("", lambda q: q), ("conj", conjugate)), "xyz"[i]
+    return {name: formula for a, of_a in both for b, of_b in both for name, formula in (
+        (f"quaternion_product_q{x}{a}q{b}",
+         lambda dc, q, of_a=of_a, of_b=of_b: product(of_a(turned(dc)), of_b(q))),
+        (f"quaternion_product_q{a}q{x}{b}",
+         lambda q, dc, of_a=of_a, of_b=of_b: product(of_a(q), of_b(turned(dc)))))}
 
 
 def _of_kind(kind: str, x: str) -> dict[str, Callable[..., Matrix]]:
@@ -273,7 +296,7 @@ def _of_joint(i: int) -> dict[str, Callable[..., Matrix]]:
             f"constraint_c{JOINTS[i]}": lambda D, c: CoAd(D) @ (eye(6) - keeping(i)) @ c}
 
 
-for _formulas in (*map(_of_axis, range(3)), *map(_of_joint, range(6)),
+for _formulas in (*map(_of_axis, range(3)), *map(_of_turn, range(3)), *map(_of_joint, range(6)),
                   _of_kind("vec3", "v"), _of_kind("screw", "s"), _of_kind("coscrew", "c"),
                   _of_space("screw", "s", "Ad", Ad, Ad_inverse),
                   _of_space("coscrew", "c", "CoAd", CoAd, CoAd_inverse)):

@@ -172,7 +172,7 @@ TRUTHS: dict[str, Callable[..., Matrix | mp.mpf | tuple[mp.mpf, Matrix]]] = {
         [*(mp.sin(angle / 2) * a), mp.cos(angle / 2)]),
     "quaternion_exp": quaternion_exp,
     "quaternion_log": vector_of,
-    "quaternion_slerp": slerp,
+    "quaternion_interpolated": slerp,
     "axis_angle_from_quaternion": lambda q: _axis_angle(vector_of(q)),
     "axis_angle_from_mat3x3": lambda R: _axis_angle(vector_of(nearest_quaternion(R))),
 }

@@ -72,4 +72,5 @@ def sample_report() -> Report:
     changes = (Change("product_CoAdc", "double", "plain", f"ns {AWKWARD}", 2.0, 3.0, 1.5),
                Change("cross_sc", "single", "fused", "worst error, hard, ulp", 4.0, 4.0, 1.0),
                Change("cross_sc", "single", "plain", "worst error, hard, ulp", 4.0, 1.0, 0.25))
-    return Report(SCHEMA, provenance, tuple(entries), drift, Comparison(f"before {AWKWARD}", changes))
+    return Report(SCHEMA, provenance, tuple(entries), drift,
+                  Comparison(f"before {AWKWARD}", changes))

@@ -251,9 +251,10 @@ def test_any_axis_turns(precision, functions):
 def test_whole_turns_are_taken_away(name, turn_, precision, functions):
     rng = np.random.default_rng(1)
     real = np.dtype(precision.numpy_type).type
-    whole, largest = Fraction(float(real(turn_))), Fraction(float(np.nextafter(real(turn_), real(0))))
-    angles = [*rng.uniform(-1000, 1000, 200), *(turn_ * np.arange(-3, 4)), -1e-20, 1e-20, -0.0, 1e15,
-              -1e15, *rng.normal(size=50) * 1e8]
+    whole = Fraction(float(real(turn_)))
+    largest = Fraction(float(np.nextafter(real(turn_), real(0))))
+    angles = [*rng.uniform(-1000, 1000, 200), *(turn_ * np.arange(-3, 4)), -1e-20, 1e-20, -0.0,
+              1e15, -1e15, *rng.normal(size=50) * 1e8]
     for angle in map(real, angles):
         found = call(functions, name, precision, angle, returned=float)
         truth = Fraction(float(angle)) % whole

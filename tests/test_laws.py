@@ -188,17 +188,18 @@ def test_derivative_operator_is_the_derivative(k, sample, operator, derivative):
 def test_quaternions_are_a_group_of_rotations(k, sample):
     p, q, r, v = (*(sample.vector(4) for _ in range(3)), sample.vector())
     R, one = k.mat3x3_from_quaternion, k.quaternion_setIdentity(p)
-    assert same(k.product_qq(k.product_qq(p, q), r), k.product_qq(p, k.product_qq(q, r)))
-    assert same(k.product_qq(p, one), p) and same(k.product_qq(one, p), p)
-    assert same(k.product_qconjq(p, p), (p @ p) * one)
-    assert same(k.product_qqconj(p, p), (p @ p) * one)
-    assert same(R(k.product_qq(p, q)), R(p) @ R(q)) and same(R(-q), R(q))
+    product = k.quaternion_product_qq
+    assert same(product(product(p, q), r), product(p, product(q, r)))
+    assert same(k.quaternion_product_qq(p, one), p) and same(k.quaternion_product_qq(one, p), p)
+    assert same(k.quaternion_product_qconjq(p, p), (p @ p) * one)
+    assert same(k.quaternion_product_qqconj(p, p), (p @ p) * one)
+    assert same(R(k.quaternion_product_qq(p, q)), R(p) @ R(q)) and same(R(-q), R(q))
     assert same(R(k.quaternion_conjugated(q)), R(q).T) and same(R(q).T @ R(q), eye(3))
     unit = sample.quaternion()
-    assert same(k.product_qv(unit, v), R(unit) @ v)
-    assert same(k.product_qconjv(unit, k.product_qv(unit, v)), v)
-    turned = k.product_qqconj(k.product_qq(unit, array([*v, 0])), unit)
-    assert same(turned, array([*k.product_qv(unit, v), 0]))
+    assert same(k.rotate_qv(unit, v), R(unit) @ v)
+    assert same(k.rotate_qconjv(unit, k.rotate_qv(unit, v)), v)
+    turned = k.quaternion_product_qqconj(k.quaternion_product_qq(unit, array([*v, 0])), unit)
+    assert same(turned, array([*k.rotate_qv(unit, v), 0]))
 
 
 def test_orthonormalization_leaves_a_defect_of_the_second_order(k, sample):

@@ -177,7 +177,7 @@ def test_exponential_undoes_the_logarithm(draw):
 def test_quaternions_multiply_as_their_rotations(draw):
     p, q = (coscrew.quaternion_exp(draw(rotation_vectors)) for _ in range(2))
     R = coscrew.mat3x3_from_quaternion
-    close(R(coscrew.product_qq(p, q)), coscrew.product_drdr(R(p), R(q)), 24)
+    close(R(coscrew.quaternion_product_qq(p, q)), coscrew.product_drdr(R(p), R(q)), 24)
     assert (R(-q) == R(q)).all()
     assert (coscrew.quaternion_log(-q) == coscrew.quaternion_log(q)).all()
 
@@ -229,10 +229,10 @@ def test_interpolation_starts_ends_and_keeps_its_speed(draw):
     u = np.finfo(number).eps / 2
     assert (np.abs(end - D2)[..., 3].max(axis=1) <= 40 * u * largest).all()
     q1, q2 = (coscrew.quaternion_from_mat3x3(D[..., :3]) for D in (D1, D2))
-    steps = [coscrew.quaternion_slerp(q1, q2, number(k)) for k in (0, 0.25, 0.5, 0.75, 1)]
+    steps = [coscrew.quaternion_interpolated(q1, q2, number(k)) for k in (0, 0.25, 0.5, 0.75, 1)]
     close(steps[0], q1, 12)
     assert (np.minimum(np.abs(steps[4] - q2), np.abs(steps[4] + q2)) <= 24 * u).all()
-    turns = [coscrew.quaternion_log(coscrew.product_qconjq(a, b))
+    turns = [coscrew.quaternion_log(coscrew.quaternion_product_qconjq(a, b))
              for a, b in zip(steps, steps[1:], strict=False)]
     for turn in turns[1:]:
         assert (np.abs(turn - turns[0]) <= 48 * u).all()
@@ -270,9 +270,9 @@ def test_no_rotation_at_all_raises_no_flag(operation: Operation, precision: Prec
 def test_leading_axes_broadcast():
     rng = np.random.default_rng(4)
     q1, q2, k = rng.normal(size=(5, 1, 4)), rng.normal(size=(3, 4)), rng.uniform(size=(7, 1, 1))
-    found = coscrew.quaternion_slerp(q1, q2, k)
+    found = coscrew.quaternion_interpolated(q1, q2, k)
     assert found.shape == (7, 5, 3, 4)
-    assert (found[2, 3, 1] == coscrew.quaternion_slerp(q1[3, 0], q2[1], k[2, 0, 0])).all()
+    assert (found[2, 3, 1] == coscrew.quaternion_interpolated(q1[3, 0], q2[1], k[2, 0, 0])).all()
 
 
 @each_precision

@@ -148,7 +148,8 @@ def test_the_reference_top_keeps_energy_momentum_and_spin():
         energy = sum(i * x**2 for i, x in zip(J, w)) / 2 + weight * known["n.2", t]
         assert abs(energy - sum(i * x**2 for i, x in zip(J, start)) / 2) < mpf(10)**-22
         x, y, z, s = q
-        up = [2 * (x * z - s * y), 2 * (y * z + s * x), s**2 - x**2 - y**2 + z**2]  # e_z in the body
+        up = [2 * (x * z - s * y), 2 * (y * z + s * x),
+              s**2 - x**2 - y**2 + z**2]  # e_z in the body
         assert abs(sum(i * x * n for i, x, n in zip(J, w, up)) - J[2] * start[2]) < mpf(10)**-24
         assert abs(w[1] - 150) < mpf(10)**-26
 

@@ -43,6 +43,9 @@ def c_name(name: str, precision: Precision) -> str:
     """Single names put an f behind the type they start with (ksl_screwf_copy), and behind one a
     conversion names (ksl_mat4x4f_toSE3f), else last."""
     head, *tail = name.split("_", 1)
+    if name.startswith("quaternion_product") and precision is SINGLE:
+        head, tail = "", []
+        name = name.removeprefix("quaternion_")  # as in KSL
     if tail and tail[0].removeprefix("from").removeprefix("to") in ("SE3", "Mat4x4"):
         tail = [tail[0] + precision.suffix]
     return f"ksl_{'_'.join([head + precision.suffix, *tail])}" if head in SHAPES \

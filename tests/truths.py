@@ -96,7 +96,7 @@ _OTHER: dict[str, tuple[Callable[..., Matrix], Callable[..., Matrix | tuple]]] =
     "axis_angle_from_mat3x3": (_of_matrix, lambda w, R: (norm(w), w / norm(w))),
     "axis_angle_from_quaternion": (vector_of, lambda w, q: (norm(w), w / norm(w))),
     "SE3_log": (lambda D: _of_matrix(D[0:3, 0:3]), lambda w, D: _screw(w, D[0:3, 3])),
-    "quaternion_slerp": (lambda p, q, k: vector_of(product(conjugate(p), q)),
+    "quaternion_interpolated": (lambda p, q, k: vector_of(product(conjugate(p), q)),
                          lambda w, p, q, k: product(p, quaternion_exp(k * w))),
     "SE3_interpolated": (_between, lambda w, D1, D2, k: compose(
         D1, SE3_exp(k * _screw(w, compose(inverse(D1), D2)[0:3, 3])))),

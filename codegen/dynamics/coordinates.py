@@ -41,7 +41,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
     """q exp(step/2), and a step of Newton's towards norm 1, so that roundings don't add up."""
-    turned = recorder.call("product_qq", q, recorder.call("quaternion_exp", step))
+    turned = recorder.call("quaternion_product_qq", q, recorder.call("quaternion_exp", step))
     square = dot(turned[:3], turned[:3]) + turned[3] * turned[3]
     return scaled((3 - square) / 2, turned)
 

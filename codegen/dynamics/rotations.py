@@ -27,7 +27,9 @@ def from_rpy(roll: Fraction, pitch: Fraction, yaw: Fraction) -> Entries:
 
 
 def from_quaternion(quaternion: Sequence[Fraction]) -> Entries:
-    """R = 1 + 2 (w v~ + v~²) / (w² + v·v) of (v; w) = (x, y, z, w).  (9).  Raises ValueError if it is zero."""
+    """R = 1 + 2 (w v~ + v~²) / (w² + v·v) of (v; w) = (x, y, z, w).  (9).
+
+    Raises ValueError if it is zero."""
     x, y, z, w = quaternion
     norm = w * w + x * x + y * y + z * z
     if not norm:

@@ -48,10 +48,10 @@ def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 OPERATIONS = (
-    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, "
-              "by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A symmetric, "
-              "its lower triangle is read.  From V = I, steps end in A = diag(eigenvalues), with "
-              "V A V^T the same throughout", (_A, _V), (_A, _V),
+    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane "
+              "xy, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
+              "symmetric, its lower triangle is read.  From V = I, steps end in "
+              "A = diag(eigenvalues), with V A V^T the same throughout", (_A, _V), (_A, _V),
               lambda A, V: tuple(sp.Matrix(3, 3, lambda i, j, k=k: special.jacobi(k, i, j, *A, *V))
                                  for k in range(2)), step,
               rounding=f"|V A V^T - the same before| <= {BACKWARD} u max |A| for orthonormal V; "

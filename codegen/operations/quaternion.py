@@ -12,6 +12,7 @@ from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, mo
                                              power_of_two, prefixed, safe_norm, safe_normalized,
                                              unnamed)
 from coscrew_codegen.operations.operation import Normwise, Operation, scaled
+from coscrew_codegen.operations.quaternion_products import PRODUCTS
 from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion, quaternion_of,
                                                  quaternion_product, rotation_vector, scalar_part,
                                                  upper, vector_part, versor)
@@ -21,7 +22,7 @@ from coscrew_codegen.quantity import (FRACTION, MAT3X3, ORDINARY, QUATERNION, RO
 
 FAMILY = "quaternion"
 
-_q, _q1, _q2, _qo, _self = (Argument(name, QUATERNION) for name in ("q", "q1", "q2", "qo", "self"))
+_q, _qo, _self = (Argument(name, QUATERNION) for name in ("q", "qo", "self"))
 _unit1, _unit2 = Argument("q1", QUATERNION, UNIT), Argument("q2", QUATERNION, UNIT)
 _v, _vo, _turn = Argument("v", VEC3), Argument("vo", VEC3), Argument("v", VEC3, TURN)
 _axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
@@ -63,15 +64,9 @@ _PRODUCTS = (
         _normalized, _bound_normalized),
     _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_q,), (_qo,), _normalized,
         _bound_normalized),
-    _op("product_qq", "qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2)", (_q1, _q2), (_qo,),
-        quaternion_product),
-    _op("product_qconjq", "qo = q1* q2, q1* the conjugate", (_q1, _q2), (_qo,),
-        lambda p, q: quaternion_product(conjugate(p), q)),
-    _op("product_qqconj", "qo = q1 q2*, q2* the conjugate", (_q1, _q2), (_qo,),
-        lambda p, q: quaternion_product(p, conjugate(q))),
-    _op("product_qv", "vo = R(q) v, |q| = 1", (_q, _v), (_vo,),
+    _op("rotate_qv", "vo = R(q) v, |q| = 1", (_q, _v), (_vo,),
         lambda q, v: _rotated(unnamed, q, v), _rotated),
-    _op("product_qconjv", "vo = R(q)^T v, |q| = 1", (_q, _v), (_vo,),
+    _op("rotate_qconjv", "vo = R(q)^T v, |q| = 1", (_q, _v), (_vo,),
         lambda q, v: _rotated(unnamed, conjugate(q), v),
         lambda let, q, v: _rotated(let, conjugate(q), v)),
 )
@@ -140,7 +135,7 @@ def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
 _CONVERSIONS = (
     _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square "
         "neither over- nor underflows", (_ordinary,), (_R_out,),
-        lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 5),)),
+        lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 8),)),
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
         "rotation, off by as much as R", (_R,), (_qo,),
         lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (Normwise("qo", 5),)),
@@ -151,19 +146,19 @@ _CONVERSIONS = (
         "multiple of a quaternion", (_q,), (_angle, _axis_out),
         lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)),
         lambda let, q: axis_angle(let, moderate(let, "s", q)),
-        (Normwise("angle", 5), Normwise("axis", 4))),
+        (Normwise("angle", 6), Normwise("axis", 4))),
     _op("quaternion_exp", "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the "
         "rotation vector v", (_turn,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (Normwise("qo", 7, per_angle=200),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
         "of any multiple of it", (_q,), (_vo,), 
-        lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 5),)),
-    _op("quaternion_slerp", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; "
-        "|q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
+        lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 6),)),
+    _op("quaternion_interpolated", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, "
+        "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (Normwise("qo", 12),)),
+        _slerp, (Normwise("qo", 14),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")
-                if op.name in ("quaternion_copy", "quaternion_scale")),
-              *_PRODUCTS, *_CONVERSIONS)
+                if op.name in ("quaternion_copy", "quaternion_scale", "axpy_qq")),
+              *_PRODUCTS, *PRODUCTS, *_CONVERSIONS)

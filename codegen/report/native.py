@@ -20,7 +20,7 @@ from coscrew_codegen.report import ReportError
 from coscrew_codegen.report.c_text import Variant, kernels_text
 from coscrew_codegen.report.schema import Compiler
 
-_FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off")
+_FLAGS = ("-std=c11", "-O3", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF")
 Arrays = tuple[np.ndarray, ...]
 
 

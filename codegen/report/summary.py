@@ -19,8 +19,8 @@ def table(report: Report, telling: Sequence[str]) -> str:
     about = report.provenance
     said = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
     notes = ("Worst errors in ulp (u where marked), hard up to condition 0.1/u; ns per element,\n"
-             "median (95 % interval): structure of arrays in C, N = 1000 in Python; ratios to plain\n"
-             "are of the same round.")
+             "median (95 % interval): structure of arrays in C, N = 1000 in Python; ratios to\n"
+             "plain are of the same round.")
     rows = tabulate(list(map(_row, chosen)), _HEADERS, floatfmt=".3g", stralign="right")
     return f"{said}\n{rows}\n{notes}"
 

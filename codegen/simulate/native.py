@@ -22,7 +22,7 @@ from shutil import which
 # slower, and without -ftree-ter, which lengthens live ranges, its registers are assigned in
 # three quarters of the time.
 _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter"), "": ("-O2",)}
-_FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-fPIC")
+_FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fPIC")
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
 
 

@@ -47,7 +47,10 @@ def type_name(name: str, precision: Precision) -> str:
 def c_name(name: str, precision: Precision) -> str:
     """The function's C name; single precision puts its f behind the type the name starts with
     (ksl_coscrewf_copy), and behind one it ends in (ksl_mat4x4f_toSE3f), else at the end
-    (ksl_product_CoAdcf)."""
+    (ksl_product_CoAdcf); products of quaternions lose their prefix in it, as in KSL
+    (ksl_quaternion_product_qq, ksl_product_qqf)."""
+    if name.startswith("quaternion_product_") and precision.suffix:
+        name = name.removeprefix("quaternion_")
     head, underscore, tail = name.partition("_")
     if head in STRUCTS:
         tail += precision.suffix if _CONVERSION.fullmatch(tail) else ""

@@ -28,8 +28,8 @@ SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
 
 REFUSED = {
     "linalg": ("Linear algebra on arrays",
-               "ksl/linalg.h is not here: for A x = b see ksl/symmetric.h and ksl_mat3x3_inverted in "
-               "ksl/mat3x3.h, else use LAPACK"),
+               "ksl/linalg.h is not here: for A x = b see ksl/symmetric.h and ksl_mat3x3_inverted "
+               "in ksl/mat3x3.h, else use LAPACK"),
     "print": ("Printing to streams",
               "ksl/print.h is not here: print the members, as in printf(\\\"%g\\\", v.x)"),
     "memory": ("Arrays of pointers",
@@ -41,7 +41,9 @@ REFUSED = {
 MARK = "/* What KSL declares beside formulas. */"
 
 _NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
+           "quaternion": (),
            "mat3x3": ("vec3", "axis")}  # header → those its text calls
+_PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, where they are several
 
 
 def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...]) -> str:
@@ -50,10 +52,11 @@ def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...
     if header not in _NEEDED or not set(_NEEDED[header]) <= set(headers):
         return ""
     made = integers(header)
-    return f"\n{MARK}\n" + render(
-        f"c/ksl/{header}.h", made=made, allocated=allocation(header, INTEGER) if made else None,
+    return f"\n{MARK}\n" + "".join(render(
+        f"c/ksl/{part}.h", made=made, allocated=allocation(header, INTEGER) if made else None,
         sequences=SEQUENCES, numbers=(*precisions, INTEGER),
         precisions=[_holes(precision) for precision in precisions])
+        for part in _PARTS.get(header, (header,)))
 
 
 def _holes(precision: Precision) -> dict[str, object]:

@@ -1,7 +1,8 @@
 """How C writes a Program's instructions, and comments; shared by all that emits C.
 
 One operation a statement (declarators count as statements), so that no compiler that contracts
-within expressions can fuse a product into a sum.  Knows no operation, no scene, and not how
+within expressions can fuse a product into a sum; a product that rounds is KSL_MUL(a, b), which those
+that contract across statements leave alone.  Knows no operation, no scene, and not how
 arguments are stored.
 """
 
@@ -10,20 +11,22 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Operand, Program
+from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
+                                     Ref)
 from coscrew_codegen.targets.precision import Precision
 
 WIDTH = 100
 
 _SPELLING = {
-    Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
+    Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
+    Op.MUL: "KSL_MUL{F}({}, {})", Op.SCALE: "KSL_MUL{F}({}, {})",
     Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
     Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
     Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
     Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
-    Op.SCALE: "{} * {}", Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
+    Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
 
 
@@ -76,7 +79,14 @@ class Statements:
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
             operands = [f"({operands[0]})"]  # -- is another operator
-        return _SPELLING[step.op].format(*operands, f=self.working.suffix)
+        spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
+        suffix = self.working.suffix
+        return spelling.format(*operands, f=suffix, F=suffix.upper())
+
+    def _exact(self, step: Instruction) -> bool:
+        """Whether this is a product of two numbers of single precision, in double."""
+        return self.program.wide and step.op is Op.MUL and not any(
+            isinstance(x, Ref) for x in step.operands)
 
     def operand(self, operand: Operand) -> str:
         """What stands for an operand, in the working precision."""

@@ -4,6 +4,10 @@ They exist in C alone: Python has arrays.
 """
 
 from fractions import Fraction
+from itertools import count
+from math import isqrt
+
+import numpy as np
 
 from coscrew_codegen.program import Constant
 from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT4X4, MAT6X6, QUATERNION, SCREW,
@@ -74,18 +78,42 @@ def meaning(quantity: Quantity) -> str:
 
 
 def selfcheck_numbers(precision: Precision) -> dict[str, str]:
-    """What ksl_selfcheck reads: 1 + 2^-k and its square rounded, k half the digits; the smallest
-    normal number; the largest; one half; one; a little more than half an ulp of one."""
+    """What ksl_selfcheck reads at run time, so that no compiler computes with it before."""
     digits = {"double": 53, "single": 24}[precision.name]
     exponent = {"double": 1022, "single": 126}[precision.name]
     near_one = 1 + Fraction(1, 2**((digits + 1) // 2))
-    numbers = (near_one, 2 * near_one - 1, Fraction(1, 2**exponent),
-               (2 - Fraction(1, 2**(digits - 1))) * 2**(exponent + 1), Fraction(1, 2), Fraction(1),
-               Fraction(1, 2**digits) + Fraction(1, 2**(digits + digits // 2 - 1)))
-    literals = [precision.literal(Constant(n, n)) + precision.suffix for n in numbers]
+    odd = (Fraction(n) for n in count(3, 2))
+    numbers = {
+        "zero": Fraction(0), "half": Fraction(1, 2), "one": Fraction(1), "two": Fraction(2),
+        "x": near_one, "nearly_square": 2 * near_one - 1,
+        "smallest": Fraction(1, 2**exponent),
+        "largest": (2 - Fraction(1, 2**(digits - 1))) * 2**(exponent + 1),
+        "above_half_ulp": Fraction(1, 2**digits) + Fraction(1, 2**(digits + digits // 2 - 1)),
+        "root": Fraction(isqrt(2 * 4**(3 * digits)), 2**(3 * digits)),  # of 2, for every purpose
+        # n / n is 1, but n times 1 / n is not
+        "n": next(n for n in odd if _rounded(n * _rounded(1 / n, precision), precision) != 1),
+        **dict(zip(("m", "rounded_twice"), _cube(precision, digits), strict=True)),
+    }
+    literals = [precision.literal(Constant(n, n)) + precision.suffix for n in numbers.values()]
+    reads = [f"{name} = given[{i}]" for i, name in enumerate(numbers)]
     given = listed(f"const volatile {precision.c_type} given[] = {{", literals, "};", WIDTH - 2)
-    return {"real": precision.c_type, "f": precision.suffix,
-            "given": given.replace("\n", "\n  ")}
+    read = listed(f"const {precision.c_type} ", reads, ";", WIDTH - 2)
+    return {"real": precision.c_type, "f": precision.suffix, "F": precision.suffix.upper(),
+            "given": given.replace("\n", "\n  "), "read": read.replace("\n", "\n  ")}
+
+
+def _rounded(value: Fraction, precision: Precision) -> Fraction:
+    return Fraction(float(precision.rounded(value)))
+
+
+def _cube(precision: Precision, digits: int) -> tuple[Fraction, Fraction]:
+    """A number whose cube, rounded twice, is more than 0.7 ulp off, and that."""
+    for m in map(Fraction, count(2**((digits + 1) // 2))):
+        found = _rounded(_rounded(m * m, precision) * m, precision)
+        ulp = Fraction(float(np.spacing(precision.rounded(found))))
+        if abs(found - m**3) > Fraction(7, 10) * ulp:
+            return m, found
+    raise AssertionError("numbers do not end")
 
 
 def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...]:

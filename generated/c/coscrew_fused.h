@@ -4,6 +4,118 @@
 /* All headers of fused kernels in one file, for vendoring; it may be included together with
    them. */
 
+/* What keeps every operation rounded once, in the order written, under every flag that compiles.
+   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+#ifndef KSL_ROUNDING_H
+#define KSL_ROUNDING_H
+
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__NO_SIGNED_ZEROS__)
+#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
+    (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
+#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#endif
+
+/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
+#if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
+    defined(__s390x__) || defined(__powerpc64__) || \
+    (defined(__riscv_flen) && __riscv_flen >= 64) || \
+    (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
+#endif
+#ifndef KSL_HAS_FMAF
+#if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
+#define KSL_HAS_FMAF 1
+#else
+#define KSL_HAS_FMAF 0
+#endif
+#endif
+
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#endif
+
+#ifndef KSL_MUL
+/* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline double ksl_minus_zero(void) {
+  double zero = -0.0;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MUL(a, b) ((a) * (b))
+#endif
+#endif
+
+#ifndef KSL_MULF
+/* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline float ksl_minus_zerof(void) {
+  float zero = -0.0f;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MULF(a, b) ((a) * (b))
+#endif
+#endif
+
+#endif
+
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -12,8 +124,7 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
-   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+   that results are the same bits everywhere, under every flag that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -23,15 +134,6 @@
 #include <math.h>
 #include <string.h>
 
-#if !defined(KSL_ALLOW_FAST_MATH)
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#endif
-#endif
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0
@@ -281,9 +383,9 @@ typedef enum ksl_axis_enum_t {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_fused(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -333,9 +435,9 @@ static inline void ksl_nxpy_vv_fused(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_fused(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -373,9 +475,9 @@ static inline void ksl_subtract_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -387,7 +489,7 @@ static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ks
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_c = fma(v1->y, v2->y, dot_a),
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_c = fma(v1->y, v2->y, dot_a),
       dot = fma(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -397,9 +499,9 @@ static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -411,9 +513,9 @@ static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0 = fma(-v1->z, v2->y, vo_0a);
-  const double vo_1a = v1->z * v2->x, vo_1 = fma(-v1->x, v2->z, vo_1a);
-  const double vo_2a = v1->x * v2->y, vo_2 = fma(-v1->y, v2->x, vo_2a);
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0 = fma(-v1->z, v2->y, vo_0a);
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1 = fma(-v1->x, v2->z, vo_1a);
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2 = fma(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -426,9 +528,9 @@ static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
      and underflow. */
 static inline void ksl_cross_vvinv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0 = fma(-v1->y, v2->z, vo_0a);
-  const double vo_1a = v1->x * v2->z, vo_1 = fma(-v1->z, v2->x, vo_1a);
-  const double vo_2a = v1->y * v2->x, vo_2 = fma(-v1->x, v2->y, vo_2a);
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0 = fma(-v1->y, v2->z, vo_0a);
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1 = fma(-v1->z, v2->x, vo_1a);
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2 = fma(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -517,9 +619,9 @@ static inline void ksl_add_vvzinv_fused(const ksl_vec3_t *v, const double k, ksl
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale_fused(ksl_vec3f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -569,9 +671,9 @@ static inline void ksl_nxpy_vvf_fused(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf_fused(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -610,9 +712,9 @@ static inline void ksl_subtract_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -624,7 +726,7 @@ static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = v1->x * v2->x, dot_c = fmaf(v1->y, v2->y, dot_a),
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_c = fmaf(v1->y, v2->y, dot_a),
       dot = fmaf(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -634,9 +736,9 @@ static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -649,9 +751,9 @@ static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->y * v2->z, vo_0 = fmaf(-v1->z, v2->y, vo_0a);
-  const float vo_1a = v1->z * v2->x, vo_1 = fmaf(-v1->x, v2->z, vo_1a);
-  const float vo_2a = v1->x * v2->y, vo_2 = fmaf(-v1->y, v2->x, vo_2a);
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0 = fmaf(-v1->z, v2->y, vo_0a);
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1 = fmaf(-v1->x, v2->z, vo_1a);
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2 = fmaf(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -664,9 +766,9 @@ static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_cross_vvinvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->z * v2->y, vo_0 = fmaf(-v1->y, v2->z, vo_0a);
-  const float vo_1a = v1->x * v2->z, vo_1 = fmaf(-v1->z, v2->x, vo_1a);
-  const float vo_2a = v1->y * v2->x, vo_2 = fmaf(-v1->x, v2->y, vo_2a);
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0 = fmaf(-v1->y, v2->z, vo_0a);
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1 = fmaf(-v1->z, v2->x, vo_1a);
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2 = fmaf(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -763,10 +865,10 @@ static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ks
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scale_fused(ksl_vec4_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -778,10 +880,10 @@ static inline void ksl_vec4_scale_fused(ksl_vec4_t *self, const double a) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scaled_fused(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
-  const double vo_3 = v->w * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
+  const double vo_3 = KSL_MUL(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -793,10 +895,10 @@ static inline void ksl_vec4_scaled_fused(const ksl_vec4_t *v, const double k, ks
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scale_fused(ksl_vec4f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -808,10 +910,10 @@ static inline void ksl_vec4f_scale_fused(ksl_vec4f_t *self, const float a) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scaled_fused(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
-  const float vo_3 = v->w * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
+  const float vo_3 = KSL_MULF(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -832,10 +934,11 @@ static inline void ksl_vec4f_scaled_fused(const ksl_vec4f_t *v, const float k, k
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0 = fma(-R->m12, R->m21, n_0a);
-  const double n_1a = R->m02 * R->m21, n_1 = fma(-R->m01, R->m22, n_1a);
-  const double n_2a = R->m01 * R->m12, n_2 = fma(-R->m02, R->m11, n_2a);
-  const double det_a = R->m00 * n_0, det_c = fma(R->m10, n_1, det_a), det = fma(R->m20, n_2, det_c);
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0 = fma(-R->m12, R->m21, n_0a);
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1 = fma(-R->m01, R->m22, n_1a);
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2 = fma(-R->m02, R->m11, n_2a);
+  const double det_a = KSL_MUL(R->m00, n_0), det_c = fma(R->m10, n_1, det_a),
+      det = fma(R->m20, n_2, det_c);
   return det;
 }
 
@@ -847,15 +950,15 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
 static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2]) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = axis->x * versine;
-  const double versine_axis_1 = axis->y * versine;
-  const double versine_axis_2 = axis->z * versine;
-  const double m_3 = axis->y * versine_axis_0;
-  const double m_4 = axis->z * versine_axis_0;
-  const double m_5 = axis->z * versine_axis_1;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+  const double versine_axis_0 = KSL_MUL(axis->x, versine);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = fma(axis->x, versine_axis_0, dc[1]);
   const double R_01 = m_3 - sine_axis_2;
   const double R_02 = m_4 + sine_axis_1;
@@ -882,10 +985,10 @@ static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0 = fmaf(-R->m12, R->m21, n_0a);
-  const float n_1a = R->m02 * R->m21, n_1 = fmaf(-R->m01, R->m22, n_1a);
-  const float n_2a = R->m01 * R->m12, n_2 = fmaf(-R->m02, R->m11, n_2a);
-  const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0 = fmaf(-R->m12, R->m21, n_0a);
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1 = fmaf(-R->m01, R->m22, n_1a);
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2 = fmaf(-R->m02, R->m11, n_2a);
+  const float det_a = KSL_MULF(R->m00, n_0), det_c = fmaf(R->m10, n_1, det_a),
       det = fmaf(R->m20, n_2, det_c);
   return det;
 }
@@ -898,15 +1001,15 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
 static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = axis->x * versine;
-  const float versine_axis_1 = axis->y * versine;
-  const float versine_axis_2 = axis->z * versine;
-  const float m_3 = axis->y * versine_axis_0;
-  const float m_4 = axis->z * versine_axis_0;
-  const float m_5 = axis->z * versine_axis_1;
-  const float sine_axis_0 = axis->x * dc[0];
-  const float sine_axis_1 = axis->y * dc[0];
-  const float sine_axis_2 = axis->z * dc[0];
+  const float versine_axis_0 = KSL_MULF(axis->x, versine);
+  const float versine_axis_1 = KSL_MULF(axis->y, versine);
+  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
+  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
+  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
+  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
+  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
   const float R_00 = fmaf(axis->x, versine_axis_0, dc[1]);
   const float R_01 = m_3 - sine_axis_2;
   const float R_02 = m_4 + sine_axis_1;
@@ -941,13 +1044,13 @@ static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_v
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
-  const double self_03_new_a = self->m00 * self->m03,
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
       self_03_new_c = fma(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fma(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const double self_13_new_a = self->m01 * self->m03,
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
       self_13_new_c = fma(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fma(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const double self_23_new_a = self->m02 * self->m03,
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
       self_23_new_c = fma(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fma(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const double self_m10 = self->m10;
@@ -973,11 +1076,11 @@ static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * D->m03, Do_03c = fma(D->m10, D->m13, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03c = fma(D->m10, D->m13, Do_03a),
       Do_03e = fma(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = D->m01 * D->m03, Do_13c = fma(D->m11, D->m13, Do_13a),
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13c = fma(D->m11, D->m13, Do_13a),
       Do_13e = fma(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = D->m02 * D->m03, Do_23c = fma(D->m12, D->m13, Do_23a),
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23c = fma(D->m12, D->m13, Do_23a),
       Do_23e = fma(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -1008,13 +1111,13 @@ static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
-  const float self_03_new_a = self->m00 * self->m03,
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
       self_03_new_c = fmaf(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fmaf(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const float self_13_new_a = self->m01 * self->m03,
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
       self_13_new_c = fmaf(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fmaf(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const float self_23_new_a = self->m02 * self->m03,
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
       self_23_new_c = fmaf(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fmaf(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const float self_m10 = self->m10;
@@ -1040,11 +1143,11 @@ static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * D->m03, Do_03c = fmaf(D->m10, D->m13, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03c = fmaf(D->m10, D->m13, Do_03a),
       Do_03e = fmaf(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const float Do_13a = D->m01 * D->m03, Do_13c = fmaf(D->m11, D->m13, Do_13a),
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13c = fmaf(D->m11, D->m13, Do_13a),
       Do_13e = fmaf(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const float Do_23a = D->m02 * D->m03, Do_23c = fmaf(D->m12, D->m13, Do_23a),
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23c = fmaf(D->m12, D->m13, Do_23a),
       Do_23e = fmaf(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -1084,11 +1187,11 @@ static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) 
      and underflow. */
 static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
       vo_0 = fma(R->m02, v->z, vo_0c);
-  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1 = fma(R->m12, v->z, vo_1c);
-  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
       vo_2 = fma(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1102,11 +1205,11 @@ static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t
      and underflow. */
 static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
       vo_0e = fma(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = R->m10 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1e = fma(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = R->m20 * v->x, vo_2c = fma(R->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
       vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1120,11 +1223,11 @@ static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
       vo_0 = fma(R->m20, v->z, vo_0c);
-  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1 = fma(R->m21, v->z, vo_1c);
-  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
       vo_2 = fma(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1138,11 +1241,11 @@ static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0c = fma(R->m10, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
       vo_0e = fma(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = R->m01 * v->x, vo_1c = fma(R->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
       vo_1e = fma(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = R->m02 * v->x, vo_2c = fma(R->m12, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
       vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1155,11 +1258,11 @@ static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dv_fused(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = D->m00 * v->x, vo_0c = fma(D->m01, v->y, vo_0a),
+  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0c = fma(D->m01, v->y, vo_0a),
       vo_0e = fma(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
-  const double vo_1a = D->m10 * v->x, vo_1c = fma(D->m11, v->y, vo_1a),
+  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1c = fma(D->m11, v->y, vo_1a),
       vo_1e = fma(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
-  const double vo_2a = D->m20 * v->x, vo_2c = fma(D->m21, v->y, vo_2a),
+  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2c = fma(D->m21, v->y, vo_2a),
       vo_2e = fma(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1176,11 +1279,11 @@ static inline void ksl_product_dinvv_fused(const ksl_SE3_t *D, const ksl_vec3_t 
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
   const double p_2 = v->z - D->m23;
-  const double vo_0a = D->m00 * p_0, vo_0c = fma(D->m10, p_1, vo_0a),
+  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0c = fma(D->m10, p_1, vo_0a),
       vo_0 = fma(D->m20, p_2, vo_0c);
-  const double vo_1a = D->m01 * p_0, vo_1c = fma(D->m11, p_1, vo_1a),
+  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1c = fma(D->m11, p_1, vo_1a),
       vo_1 = fma(D->m21, p_2, vo_1c);
-  const double vo_2a = D->m02 * p_0, vo_2c = fma(D->m12, p_1, vo_2a),
+  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2c = fma(D->m12, p_1, vo_2a),
       vo_2 = fma(D->m22, p_2, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -1194,23 +1297,23 @@ static inline void ksl_product_dinvv_fused(const ksl_SE3_t *D, const ksl_vec3_t 
      and underflow. */
 static inline void ksl_product_drdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m10, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m01, R2->m10, Ro_00a),
       Ro_00 = fma(R1->m02, R2->m20, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m02, R2->m21, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m01, R2->m12, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02c = fma(R1->m01, R2->m12, Ro_02a),
       Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fma(R1->m12, R2->m20, Ro_10c);
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m12, R2->m21, Ro_11c);
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m10, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20c = fma(R1->m21, R2->m10, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22c = fma(R1->m21, R2->m12, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22c = fma(R1->m21, R2->m12, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1230,23 +1333,23 @@ static inline void ksl_product_drdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3
      and underflow. */
 static inline void ksl_product_drdrinv_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m01, R2->m01, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m01, R2->m01, Ro_00a),
       Ro_00 = fma(R1->m02, R2->m02, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01c = fma(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m02, R2->m12, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02c = fma(R1->m01, R2->m21, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02c = fma(R1->m01, R2->m21, Ro_02a),
       Ro_02 = fma(R1->m02, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10c = fma(R1->m11, R2->m01, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10c = fma(R1->m11, R2->m01, Ro_10a),
       Ro_10 = fma(R1->m12, R2->m02, Ro_10c);
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m12, R2->m12, Ro_11c);
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12c = fma(R1->m11, R2->m21, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12c = fma(R1->m11, R2->m21, Ro_12a),
       Ro_12 = fma(R1->m12, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20c = fma(R1->m21, R2->m01, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20c = fma(R1->m21, R2->m01, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m02, Ro_20c);
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21c = fma(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m12, Ro_21c);
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22c = fma(R1->m21, R2->m21, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22c = fma(R1->m21, R2->m21, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1266,23 +1369,23 @@ static inline void ksl_product_drdrinv_fused(const ksl_mat3x3_t *R1, const ksl_m
      and underflow. */
 static inline void ksl_product_drinvdr_fused(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00c = fma(R1->m10, R2->m10, Ro_00a),
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00c = fma(R1->m10, R2->m10, Ro_00a),
       Ro_00 = fma(R1->m20, R2->m20, Ro_00c);
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01c = fma(R1->m10, R2->m11, Ro_01a),
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01c = fma(R1->m10, R2->m11, Ro_01a),
       Ro_01 = fma(R1->m20, R2->m21, Ro_01c);
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02c = fma(R1->m10, R2->m12, Ro_02a),
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02c = fma(R1->m10, R2->m12, Ro_02a),
       Ro_02 = fma(R1->m20, R2->m22, Ro_02c);
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
+  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10c = fma(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fma(R1->m21, R2->m20, Ro_10c);
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
+  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11c = fma(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fma(R1->m21, R2->m21, Ro_11c);
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
+  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12c = fma(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fma(R1->m21, R2->m22, Ro_12c);
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20c = fma(R1->m12, R2->m10, Ro_20a),
+  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20c = fma(R1->m12, R2->m10, Ro_20a),
       Ro_20 = fma(R1->m22, R2->m20, Ro_20c);
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21c = fma(R1->m12, R2->m11, Ro_21a),
+  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21c = fma(R1->m12, R2->m11, Ro_21a),
       Ro_21 = fma(R1->m22, R2->m21, Ro_21c);
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22c = fma(R1->m12, R2->m12, Ro_22a),
+  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22c = fma(R1->m12, R2->m12, Ro_22a),
       Ro_22 = fma(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -1301,29 +1404,29 @@ static inline void ksl_product_drinvdr_fused(const ksl_mat3x3_t *R1, const ksl_m
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m01, D2->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00c = fma(D1->m01, D2->m10, Do_00a),
       Do_00 = fma(D1->m02, D2->m20, Do_00c);
-  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m01, D2->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01c = fma(D1->m01, D2->m11, Do_01a),
       Do_01 = fma(D1->m02, D2->m21, Do_01c);
-  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m01, D2->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02c = fma(D1->m01, D2->m12, Do_02a),
       Do_02 = fma(D1->m02, D2->m22, Do_02c);
-  const double Do_03a = D1->m00 * D2->m03, Do_03c = fma(D1->m01, D2->m13, Do_03a),
+  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03c = fma(D1->m01, D2->m13, Do_03a),
       Do_03e = fma(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10c = fma(D1->m11, D2->m10, Do_10a),
       Do_10 = fma(D1->m12, D2->m20, Do_10c);
-  const double Do_11a = D1->m10 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11c = fma(D1->m11, D2->m11, Do_11a),
       Do_11 = fma(D1->m12, D2->m21, Do_11c);
-  const double Do_12a = D1->m10 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12c = fma(D1->m11, D2->m12, Do_12a),
       Do_12 = fma(D1->m12, D2->m22, Do_12c);
-  const double Do_13a = D1->m10 * D2->m03, Do_13c = fma(D1->m11, D2->m13, Do_13a),
+  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13c = fma(D1->m11, D2->m13, Do_13a),
       Do_13e = fma(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * D2->m00, Do_20c = fma(D1->m21, D2->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20c = fma(D1->m21, D2->m10, Do_20a),
       Do_20 = fma(D1->m22, D2->m20, Do_20c);
-  const double Do_21a = D1->m20 * D2->m01, Do_21c = fma(D1->m21, D2->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21c = fma(D1->m21, D2->m11, Do_21a),
       Do_21 = fma(D1->m22, D2->m21, Do_21c);
-  const double Do_22a = D1->m20 * D2->m02, Do_22c = fma(D1->m21, D2->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22c = fma(D1->m21, D2->m12, Do_22a),
       Do_22 = fma(D1->m22, D2->m22, Do_22c);
-  const double Do_23a = D1->m20 * D2->m03, Do_23c = fma(D1->m21, D2->m13, Do_23a),
+  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23c = fma(D1->m21, D2->m13, Do_23a),
       Do_23e = fma(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -1346,29 +1449,29 @@ static inline void ksl_product_dd_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2
      barring over- and underflow. */
 static inline void ksl_product_ddinv_fused(const ksl_SE3_t *D1, const ksl_SE3_t *D2,
     ksl_SE3_t *Do) {
-  const double R_0a = D1->m00 * D2->m00, R_0c = fma(D1->m01, D2->m01, R_0a),
+  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0c = fma(D1->m01, D2->m01, R_0a),
       R_0 = fma(D1->m02, D2->m02, R_0c);
-  const double R_1a = D1->m00 * D2->m10, R_1c = fma(D1->m01, D2->m11, R_1a),
+  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1c = fma(D1->m01, D2->m11, R_1a),
       R_1 = fma(D1->m02, D2->m12, R_1c);
-  const double R_2a = D1->m00 * D2->m20, R_2c = fma(D1->m01, D2->m21, R_2a),
+  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2c = fma(D1->m01, D2->m21, R_2a),
       R_2 = fma(D1->m02, D2->m22, R_2c);
-  const double R_3a = D1->m10 * D2->m00, R_3c = fma(D1->m11, D2->m01, R_3a),
+  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3c = fma(D1->m11, D2->m01, R_3a),
       R_3 = fma(D1->m12, D2->m02, R_3c);
-  const double R_4a = D1->m10 * D2->m10, R_4c = fma(D1->m11, D2->m11, R_4a),
+  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4c = fma(D1->m11, D2->m11, R_4a),
       R_4 = fma(D1->m12, D2->m12, R_4c);
-  const double R_5a = D1->m10 * D2->m20, R_5c = fma(D1->m11, D2->m21, R_5a),
+  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5c = fma(D1->m11, D2->m21, R_5a),
       R_5 = fma(D1->m12, D2->m22, R_5c);
-  const double R_6a = D1->m20 * D2->m00, R_6c = fma(D1->m21, D2->m01, R_6a),
+  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6c = fma(D1->m21, D2->m01, R_6a),
       R_6 = fma(D1->m22, D2->m02, R_6c);
-  const double R_7a = D1->m20 * D2->m10, R_7c = fma(D1->m21, D2->m11, R_7a),
+  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7c = fma(D1->m21, D2->m11, R_7a),
       R_7 = fma(D1->m22, D2->m12, R_7c);
-  const double R_8a = D1->m20 * D2->m20, R_8c = fma(D1->m21, D2->m21, R_8a),
+  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8c = fma(D1->m21, D2->m21, R_8a),
       R_8 = fma(D1->m22, D2->m22, R_8c);
-  const double Do_03a = D2->m03 * R_0, Do_03c = fma(D2->m13, R_1, Do_03a),
+  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03c = fma(D2->m13, R_1, Do_03a),
       Do_03e = fma(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = D2->m03 * R_3, Do_13c = fma(D2->m13, R_4, Do_13a),
+  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13c = fma(D2->m13, R_4, Do_13a),
       Do_13e = fma(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = D2->m03 * R_6, Do_23c = fma(D2->m13, R_7, Do_23a),
+  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23c = fma(D2->m13, R_7, Do_23a),
       Do_23e = fma(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
@@ -1394,29 +1497,29 @@ static inline void ksl_product_dinvd_fused(const ksl_SE3_t *D1, const ksl_SE3_t 
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
   const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = D1->m00 * D2->m00, Do_00c = fma(D1->m10, D2->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00c = fma(D1->m10, D2->m10, Do_00a),
       Do_00 = fma(D1->m20, D2->m20, Do_00c);
-  const double Do_01a = D1->m00 * D2->m01, Do_01c = fma(D1->m10, D2->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01c = fma(D1->m10, D2->m11, Do_01a),
       Do_01 = fma(D1->m20, D2->m21, Do_01c);
-  const double Do_02a = D1->m00 * D2->m02, Do_02c = fma(D1->m10, D2->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02c = fma(D1->m10, D2->m12, Do_02a),
       Do_02 = fma(D1->m20, D2->m22, Do_02c);
-  const double Do_03a = D1->m00 * p_0, Do_03c = fma(D1->m10, p_1, Do_03a),
+  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03c = fma(D1->m10, p_1, Do_03a),
       Do_03 = fma(D1->m20, p_2, Do_03c);
-  const double Do_10a = D1->m01 * D2->m00, Do_10c = fma(D1->m11, D2->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10c = fma(D1->m11, D2->m10, Do_10a),
       Do_10 = fma(D1->m21, D2->m20, Do_10c);
-  const double Do_11a = D1->m01 * D2->m01, Do_11c = fma(D1->m11, D2->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11c = fma(D1->m11, D2->m11, Do_11a),
       Do_11 = fma(D1->m21, D2->m21, Do_11c);
-  const double Do_12a = D1->m01 * D2->m02, Do_12c = fma(D1->m11, D2->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12c = fma(D1->m11, D2->m12, Do_12a),
       Do_12 = fma(D1->m21, D2->m22, Do_12c);
-  const double Do_13a = D1->m01 * p_0, Do_13c = fma(D1->m11, p_1, Do_13a),
+  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13c = fma(D1->m11, p_1, Do_13a),
       Do_13 = fma(D1->m21, p_2, Do_13c);
-  const double Do_20a = D1->m02 * D2->m00, Do_20c = fma(D1->m12, D2->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20c = fma(D1->m12, D2->m10, Do_20a),
       Do_20 = fma(D1->m22, D2->m20, Do_20c);
-  const double Do_21a = D1->m02 * D2->m01, Do_21c = fma(D1->m12, D2->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21c = fma(D1->m12, D2->m11, Do_21a),
       Do_21 = fma(D1->m22, D2->m21, Do_21c);
-  const double Do_22a = D1->m02 * D2->m02, Do_22c = fma(D1->m12, D2->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22c = fma(D1->m12, D2->m12, Do_22a),
       Do_22 = fma(D1->m22, D2->m22, Do_22c);
-  const double Do_23a = D1->m02 * p_0, Do_23c = fma(D1->m12, p_1, Do_23a),
+  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23c = fma(D1->m12, p_1, Do_23a),
       Do_23 = fma(D1->m22, p_2, Do_23c);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -1438,23 +1541,23 @@ static inline void ksl_product_dinvd_fused(const ksl_SE3_t *D1, const ksl_SE3_t 
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m10, Do_00a),
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00c = fma(D->m01, R->m10, Do_00a),
       Do_00 = fma(D->m02, R->m20, Do_00c);
-  const double Do_01a = D->m00 * R->m01, Do_01c = fma(D->m01, R->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01c = fma(D->m01, R->m11, Do_01a),
       Do_01 = fma(D->m02, R->m21, Do_01c);
-  const double Do_02a = D->m00 * R->m02, Do_02c = fma(D->m01, R->m12, Do_02a),
+  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02c = fma(D->m01, R->m12, Do_02a),
       Do_02 = fma(D->m02, R->m22, Do_02c);
-  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m10, Do_10a),
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10c = fma(D->m11, R->m10, Do_10a),
       Do_10 = fma(D->m12, R->m20, Do_10c);
-  const double Do_11a = D->m10 * R->m01, Do_11c = fma(D->m11, R->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11c = fma(D->m11, R->m11, Do_11a),
       Do_11 = fma(D->m12, R->m21, Do_11c);
-  const double Do_12a = D->m10 * R->m02, Do_12c = fma(D->m11, R->m12, Do_12a),
+  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12c = fma(D->m11, R->m12, Do_12a),
       Do_12 = fma(D->m12, R->m22, Do_12c);
-  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m10, Do_20a),
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20c = fma(D->m21, R->m10, Do_20a),
       Do_20 = fma(D->m22, R->m20, Do_20c);
-  const double Do_21a = D->m20 * R->m01, Do_21c = fma(D->m21, R->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21c = fma(D->m21, R->m11, Do_21a),
       Do_21 = fma(D->m22, R->m21, Do_21c);
-  const double Do_22a = D->m20 * R->m02, Do_22c = fma(D->m21, R->m12, Do_22a),
+  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22c = fma(D->m21, R->m12, Do_22a),
       Do_22 = fma(D->m22, R->m22, Do_22c);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -1480,23 +1583,23 @@ static inline void ksl_product_ddr_fused(const ksl_SE3_t *D, const ksl_mat3x3_t 
      barring over- and underflow. */
 static inline void ksl_product_ddrinv_fused(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00c = fma(D->m01, R->m01, Do_00a),
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00c = fma(D->m01, R->m01, Do_00a),
       Do_00 = fma(D->m02, R->m02, Do_00c);
-  const double Do_01a = D->m00 * R->m10, Do_01c = fma(D->m01, R->m11, Do_01a),
+  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01c = fma(D->m01, R->m11, Do_01a),
       Do_01 = fma(D->m02, R->m12, Do_01c);
-  const double Do_02a = D->m00 * R->m20, Do_02c = fma(D->m01, R->m21, Do_02a),
+  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02c = fma(D->m01, R->m21, Do_02a),
       Do_02 = fma(D->m02, R->m22, Do_02c);
-  const double Do_10a = D->m10 * R->m00, Do_10c = fma(D->m11, R->m01, Do_10a),
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10c = fma(D->m11, R->m01, Do_10a),
       Do_10 = fma(D->m12, R->m02, Do_10c);
-  const double Do_11a = D->m10 * R->m10, Do_11c = fma(D->m11, R->m11, Do_11a),
+  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11c = fma(D->m11, R->m11, Do_11a),
       Do_11 = fma(D->m12, R->m12, Do_11c);
-  const double Do_12a = D->m10 * R->m20, Do_12c = fma(D->m11, R->m21, Do_12a),
+  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12c = fma(D->m11, R->m21, Do_12a),
       Do_12 = fma(D->m12, R->m22, Do_12c);
-  const double Do_20a = D->m20 * R->m00, Do_20c = fma(D->m21, R->m01, Do_20a),
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20c = fma(D->m21, R->m01, Do_20a),
       Do_20 = fma(D->m22, R->m02, Do_20c);
-  const double Do_21a = D->m20 * R->m10, Do_21c = fma(D->m21, R->m11, Do_21a),
+  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21c = fma(D->m21, R->m11, Do_21a),
       Do_21 = fma(D->m22, R->m12, Do_21c);
-  const double Do_22a = D->m20 * R->m20, Do_22c = fma(D->m21, R->m21, Do_22a),
+  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22c = fma(D->m21, R->m21, Do_22a),
       Do_22 = fma(D->m22, R->m22, Do_22c);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
@@ -1521,11 +1624,11 @@ static inline void ksl_product_ddrinv_fused(const ksl_SE3_t *D, const ksl_mat3x3
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03c = fma(D->m01, t->y, Do_03a),
       Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
-  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13c = fma(D->m11, t->y, Do_13a),
       Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
-  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23c = fma(D->m21, t->y, Do_23a),
       Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1557,11 +1660,11 @@ static inline void ksl_product_ddt_fused(const ksl_SE3_t *D, const ksl_vec3_t *t
      barring over- and underflow. */
 static inline void ksl_product_ddtinv_fused(const ksl_SE3_t *D, const ksl_vec3_t *t,
     ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03c = fma(D->m01, t->y, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03c = fma(D->m01, t->y, Do_03a),
       Do_03e = fma(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
-  const double Do_13a = D->m10 * t->x, Do_13c = fma(D->m11, t->y, Do_13a),
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13c = fma(D->m11, t->y, Do_13a),
       Do_13e = fma(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
-  const double Do_23a = D->m20 * t->x, Do_23c = fma(D->m21, t->y, Do_23a),
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23c = fma(D->m21, t->y, Do_23a),
       Do_23e = fma(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
@@ -1596,11 +1699,11 @@ static inline void ksl_product_dinvdt_fused(const ksl_SE3_t *D, const ksl_vec3_t
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
   const double p_2 = t->z - D->m23;
-  const double Do_03a = D->m00 * p_0, Do_03c = fma(D->m10, p_1, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03c = fma(D->m10, p_1, Do_03a),
       Do_03 = fma(D->m20, p_2, Do_03c);
-  const double Do_13a = D->m01 * p_0, Do_13c = fma(D->m11, p_1, Do_13a),
+  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13c = fma(D->m11, p_1, Do_13a),
       Do_13 = fma(D->m21, p_2, Do_13c);
-  const double Do_23a = D->m02 * p_0, Do_23c = fma(D->m12, p_1, Do_23a),
+  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23c = fma(D->m12, p_1, Do_23a),
       Do_23 = fma(D->m22, p_2, Do_23c);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -1630,9 +1733,9 @@ static inline void ksl_product_dinvdt_fused(const ksl_SE3_t *D, const ksl_vec3_t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m00 * k;
-  const double vo_1 = R->m10 * k;
-  const double vo_2 = R->m20 * k;
+  const double vo_0 = KSL_MUL(R->m00, k);
+  const double vo_1 = KSL_MUL(R->m10, k);
+  const double vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1645,12 +1748,12 @@ static inline void ksl_product_drvtx_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdrx_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(R->m02, dc[0], Ro_01a);
-  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m01, dc[0], Ro_02a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(R->m12, dc[0], Ro_11a);
-  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m11, dc[0], Ro_12a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(R->m22, dc[0], Ro_21a);
-  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m21, dc[0], Ro_22a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(R->m02, dc[0], Ro_01a);
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02 = fma(-R->m01, dc[0], Ro_02a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(R->m12, dc[0], Ro_11a);
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12 = fma(-R->m11, dc[0], Ro_12a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(R->m22, dc[0], Ro_21a);
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22 = fma(-R->m21, dc[0], Ro_22a);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -1671,12 +1774,12 @@ static inline void ksl_product_drdrx_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(D->m02, dc[0], Do_01a);
-  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m01, dc[0], Do_02a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(D->m12, dc[0], Do_11a);
-  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m11, dc[0], Do_12a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(D->m22, dc[0], Do_21a);
-  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m21, dc[0], Do_22a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(D->m02, dc[0], Do_01a);
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02 = fma(-D->m01, dc[0], Do_02a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(D->m12, dc[0], Do_11a);
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12 = fma(-D->m11, dc[0], Do_12a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(D->m22, dc[0], Do_21a);
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22 = fma(-D->m21, dc[0], Do_22a);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -1734,9 +1837,9 @@ static inline void ksl_product_ddtx_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1749,12 +1852,12 @@ static inline void ksl_product_drvtxinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdrxinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m02, dc[0], Ro_01a);
-  const double Ro_02a = R->m01 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m12, dc[0], Ro_11a);
-  const double Ro_12a = R->m11 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m22, dc[0], Ro_21a);
-  const double Ro_22a = R->m21 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(-R->m02, dc[0], Ro_01a);
+  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(-R->m12, dc[0], Ro_11a);
+  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(-R->m22, dc[0], Ro_21a);
+  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22 = fma(R->m22, dc[1], Ro_22a);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -1776,12 +1879,12 @@ static inline void ksl_product_drdrxinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m02, dc[0], Do_01a);
-  const double Do_02a = D->m01 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m12, dc[0], Do_11a);
-  const double Do_12a = D->m11 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m22, dc[0], Do_21a);
-  const double Do_22a = D->m21 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(-D->m02, dc[0], Do_01a);
+  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(-D->m12, dc[0], Do_11a);
+  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(-D->m22, dc[0], Do_21a);
+  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22 = fma(D->m22, dc[1], Do_22a);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -1838,9 +1941,9 @@ static inline void ksl_product_ddtxinv_fused(const ksl_SE3_t *D, const double k,
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m01 * k;
-  const double vo_1 = R->m11 * k;
-  const double vo_2 = R->m21 * k;
+  const double vo_0 = KSL_MUL(R->m01, k);
+  const double vo_1 = KSL_MUL(R->m11, k);
+  const double vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1853,12 +1956,12 @@ static inline void ksl_product_drvty_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdry_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m02, dc[0], Ro_00a);
-  const double Ro_02a = R->m00 * dc[0], Ro_02 = fma(R->m02, dc[1], Ro_02a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m12, dc[0], Ro_10a);
-  const double Ro_12a = R->m10 * dc[0], Ro_12 = fma(R->m12, dc[1], Ro_12a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m22, dc[0], Ro_20a);
-  const double Ro_22a = R->m20 * dc[0], Ro_22 = fma(R->m22, dc[1], Ro_22a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(-R->m02, dc[0], Ro_00a);
+  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02 = fma(R->m02, dc[1], Ro_02a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(-R->m12, dc[0], Ro_10a);
+  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12 = fma(R->m12, dc[1], Ro_12a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(-R->m22, dc[0], Ro_20a);
+  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22 = fma(R->m22, dc[1], Ro_22a);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -1879,12 +1982,12 @@ static inline void ksl_product_drdry_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m02, dc[0], Do_00a);
-  const double Do_02a = D->m00 * dc[0], Do_02 = fma(D->m02, dc[1], Do_02a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m12, dc[0], Do_10a);
-  const double Do_12a = D->m10 * dc[0], Do_12 = fma(D->m12, dc[1], Do_12a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m22, dc[0], Do_20a);
-  const double Do_22a = D->m20 * dc[0], Do_22 = fma(D->m22, dc[1], Do_22a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(-D->m02, dc[0], Do_00a);
+  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02 = fma(D->m02, dc[1], Do_02a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(-D->m12, dc[0], Do_10a);
+  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12 = fma(D->m12, dc[1], Do_12a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(-D->m22, dc[0], Do_20a);
+  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22 = fma(D->m22, dc[1], Do_22a);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -1942,9 +2045,9 @@ static inline void ksl_product_ddty_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1957,12 +2060,12 @@ static inline void ksl_product_drvtyinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdryinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m02, dc[0], Ro_00a);
-  const double Ro_02a = R->m02 * dc[1], Ro_02 = fma(-R->m00, dc[0], Ro_02a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m12, dc[0], Ro_10a);
-  const double Ro_12a = R->m12 * dc[1], Ro_12 = fma(-R->m10, dc[0], Ro_12a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m22, dc[0], Ro_20a);
-  const double Ro_22a = R->m22 * dc[1], Ro_22 = fma(-R->m20, dc[0], Ro_22a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(R->m02, dc[0], Ro_00a);
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02 = fma(-R->m00, dc[0], Ro_02a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(R->m12, dc[0], Ro_10a);
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12 = fma(-R->m10, dc[0], Ro_12a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(R->m22, dc[0], Ro_20a);
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22 = fma(-R->m20, dc[0], Ro_22a);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -1984,12 +2087,12 @@ static inline void ksl_product_drdryinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddryinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m02, dc[0], Do_00a);
-  const double Do_02a = D->m02 * dc[1], Do_02 = fma(-D->m00, dc[0], Do_02a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m12, dc[0], Do_10a);
-  const double Do_12a = D->m12 * dc[1], Do_12 = fma(-D->m10, dc[0], Do_12a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m22, dc[0], Do_20a);
-  const double Do_22a = D->m22 * dc[1], Do_22 = fma(-D->m20, dc[0], Do_22a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(D->m02, dc[0], Do_00a);
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02 = fma(-D->m00, dc[0], Do_02a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(D->m12, dc[0], Do_10a);
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12 = fma(-D->m10, dc[0], Do_12a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(D->m22, dc[0], Do_20a);
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22 = fma(-D->m20, dc[0], Do_22a);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -2046,9 +2149,9 @@ static inline void ksl_product_ddtyinv_fused(const ksl_SE3_t *D, const double k,
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz_fused(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m02 * k;
-  const double vo_1 = R->m12 * k;
-  const double vo_2 = R->m22 * k;
+  const double vo_0 = KSL_MUL(R->m02, k);
+  const double vo_1 = KSL_MUL(R->m12, k);
+  const double vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2061,12 +2164,12 @@ static inline void ksl_product_drvtz_fused(const ksl_mat3x3_t *R, const double k
      and underflow. */
 static inline void ksl_product_drdrz_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(R->m01, dc[0], Ro_00a);
-  const double Ro_01a = R->m01 * dc[1], Ro_01 = fma(-R->m00, dc[0], Ro_01a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(R->m11, dc[0], Ro_10a);
-  const double Ro_11a = R->m11 * dc[1], Ro_11 = fma(-R->m10, dc[0], Ro_11a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(R->m21, dc[0], Ro_20a);
-  const double Ro_21a = R->m21 * dc[1], Ro_21 = fma(-R->m20, dc[0], Ro_21a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(R->m01, dc[0], Ro_00a);
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01 = fma(-R->m00, dc[0], Ro_01a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(R->m11, dc[0], Ro_10a);
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11 = fma(-R->m10, dc[0], Ro_11a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(R->m21, dc[0], Ro_20a);
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21 = fma(-R->m20, dc[0], Ro_21a);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -2087,12 +2190,12 @@ static inline void ksl_product_drdrz_fused(const ksl_mat3x3_t *R, const double d
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz_fused(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(D->m01, dc[0], Do_00a);
-  const double Do_01a = D->m01 * dc[1], Do_01 = fma(-D->m00, dc[0], Do_01a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(D->m11, dc[0], Do_10a);
-  const double Do_11a = D->m11 * dc[1], Do_11 = fma(-D->m10, dc[0], Do_11a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(D->m21, dc[0], Do_20a);
-  const double Do_21a = D->m21 * dc[1], Do_21 = fma(-D->m20, dc[0], Do_21a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(D->m01, dc[0], Do_00a);
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01 = fma(-D->m00, dc[0], Do_01a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(D->m11, dc[0], Do_10a);
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11 = fma(-D->m10, dc[0], Do_11a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(D->m21, dc[0], Do_20a);
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21 = fma(-D->m20, dc[0], Do_21a);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -2150,9 +2253,9 @@ static inline void ksl_product_ddtz_fused(const ksl_SE3_t *D, const double k, ks
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv_fused(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2165,12 +2268,12 @@ static inline void ksl_product_drvtzinv_fused(const ksl_mat3x3_t *R, const doubl
      and underflow. */
 static inline void ksl_product_drdrzinv_fused(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00 = fma(-R->m01, dc[0], Ro_00a);
-  const double Ro_01a = R->m00 * dc[0], Ro_01 = fma(R->m01, dc[1], Ro_01a);
-  const double Ro_10a = R->m10 * dc[1], Ro_10 = fma(-R->m11, dc[0], Ro_10a);
-  const double Ro_11a = R->m10 * dc[0], Ro_11 = fma(R->m11, dc[1], Ro_11a);
-  const double Ro_20a = R->m20 * dc[1], Ro_20 = fma(-R->m21, dc[0], Ro_20a);
-  const double Ro_21a = R->m20 * dc[0], Ro_21 = fma(R->m21, dc[1], Ro_21a);
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00 = fma(-R->m01, dc[0], Ro_00a);
+  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01 = fma(R->m01, dc[1], Ro_01a);
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10 = fma(-R->m11, dc[0], Ro_10a);
+  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11 = fma(R->m11, dc[1], Ro_11a);
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20 = fma(-R->m21, dc[0], Ro_20a);
+  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21 = fma(R->m21, dc[1], Ro_21a);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -2192,12 +2295,12 @@ static inline void ksl_product_drdrzinv_fused(const ksl_mat3x3_t *R, const doubl
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv_fused(const ksl_SE3_t *D, const double dc[2],
     ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00 = fma(-D->m01, dc[0], Do_00a);
-  const double Do_01a = D->m00 * dc[0], Do_01 = fma(D->m01, dc[1], Do_01a);
-  const double Do_10a = D->m10 * dc[1], Do_10 = fma(-D->m11, dc[0], Do_10a);
-  const double Do_11a = D->m10 * dc[0], Do_11 = fma(D->m11, dc[1], Do_11a);
-  const double Do_20a = D->m20 * dc[1], Do_20 = fma(-D->m21, dc[0], Do_20a);
-  const double Do_21a = D->m20 * dc[0], Do_21 = fma(D->m21, dc[1], Do_21a);
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00 = fma(-D->m01, dc[0], Do_00a);
+  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01 = fma(D->m01, dc[1], Do_01a);
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10 = fma(-D->m11, dc[0], Do_10a);
+  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11 = fma(D->m11, dc[1], Do_11a);
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20 = fma(-D->m21, dc[0], Do_20a);
+  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21 = fma(D->m21, dc[1], Do_21a);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -2256,11 +2359,11 @@ static inline void ksl_product_ddtzinv_fused(const ksl_SE3_t *D, const double k,
      and underflow. */
 static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
       vo_0 = fmaf(R->m02, v->z, vo_0c);
-  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1 = fmaf(R->m12, v->z, vo_1c);
-  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
       vo_2 = fmaf(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2274,11 +2377,11 @@ static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3
      and underflow. */
 static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
       vo_0e = fmaf(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = R->m10 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1e = fmaf(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = R->m20 * v->x, vo_2c = fmaf(R->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
       vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2292,11 +2395,11 @@ static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
       vo_0 = fmaf(R->m20, v->z, vo_0c);
-  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1 = fmaf(R->m21, v->z, vo_1c);
-  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
       vo_2 = fmaf(R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2310,11 +2413,11 @@ static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0c = fmaf(R->m10, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
       vo_0e = fmaf(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = R->m01 * v->x, vo_1c = fmaf(R->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
       vo_1e = fmaf(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = R->m02 * v->x, vo_2c = fmaf(R->m12, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
       vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2328,11 +2431,11 @@ static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_dvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = D->m00 * v->x, vo_0c = fmaf(D->m01, v->y, vo_0a),
+  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0c = fmaf(D->m01, v->y, vo_0a),
       vo_0e = fmaf(D->m02, v->z, vo_0c), vo_0 = vo_0e + D->m03;
-  const float vo_1a = D->m10 * v->x, vo_1c = fmaf(D->m11, v->y, vo_1a),
+  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1c = fmaf(D->m11, v->y, vo_1a),
       vo_1e = fmaf(D->m12, v->z, vo_1c), vo_1 = vo_1e + D->m13;
-  const float vo_2a = D->m20 * v->x, vo_2c = fmaf(D->m21, v->y, vo_2a),
+  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2c = fmaf(D->m21, v->y, vo_2a),
       vo_2e = fmaf(D->m22, v->z, vo_2c), vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2349,11 +2452,11 @@ static inline void ksl_product_dinvvf_fused(const ksl_SE3f_t *D, const ksl_vec3f
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
   const float p_2 = v->z - D->m23;
-  const float vo_0a = D->m00 * p_0, vo_0c = fmaf(D->m10, p_1, vo_0a),
+  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0c = fmaf(D->m10, p_1, vo_0a),
       vo_0 = fmaf(D->m20, p_2, vo_0c);
-  const float vo_1a = D->m01 * p_0, vo_1c = fmaf(D->m11, p_1, vo_1a),
+  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1c = fmaf(D->m11, p_1, vo_1a),
       vo_1 = fmaf(D->m21, p_2, vo_1c);
-  const float vo_2a = D->m02 * p_0, vo_2c = fmaf(D->m12, p_1, vo_2a),
+  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2c = fmaf(D->m12, p_1, vo_2a),
       vo_2 = fmaf(D->m22, p_2, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
@@ -2367,23 +2470,23 @@ static inline void ksl_product_dinvvf_fused(const ksl_SE3f_t *D, const ksl_vec3f
      and underflow. */
 static inline void ksl_product_drdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m10, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m01, R2->m10, Ro_00a),
       Ro_00 = fmaf(R1->m02, R2->m20, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m02, R2->m21, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m01, R2->m12, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02c = fmaf(R1->m01, R2->m12, Ro_02a),
       Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fmaf(R1->m12, R2->m20, Ro_10c);
-  const float Ro_11a = R1->m10 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m12, R2->m21, Ro_11c);
-  const float Ro_12a = R1->m10 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m10, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20c = fmaf(R1->m21, R2->m10, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
-  const float Ro_21a = R1->m20 * R2->m01, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
-  const float Ro_22a = R1->m20 * R2->m02, Ro_22c = fmaf(R1->m21, R2->m12, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22c = fmaf(R1->m21, R2->m12, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2403,23 +2506,23 @@ static inline void ksl_product_drdrf_fused(const ksl_mat3x3f_t *R1, const ksl_ma
      and underflow. */
 static inline void ksl_product_drdrinvf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m01, R2->m01, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m01, R2->m01, Ro_00a),
       Ro_00 = fmaf(R1->m02, R2->m02, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m10, Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01c = fmaf(R1->m01, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m02, R2->m12, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m20, Ro_02c = fmaf(R1->m01, R2->m21, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02c = fmaf(R1->m01, R2->m21, Ro_02a),
       Ro_02 = fmaf(R1->m02, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m01, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10c = fmaf(R1->m11, R2->m01, Ro_10a),
       Ro_10 = fmaf(R1->m12, R2->m02, Ro_10c);
-  const float Ro_11a = R1->m10 * R2->m10, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m12, R2->m12, Ro_11c);
-  const float Ro_12a = R1->m10 * R2->m20, Ro_12c = fmaf(R1->m11, R2->m21, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12c = fmaf(R1->m11, R2->m21, Ro_12a),
       Ro_12 = fmaf(R1->m12, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20c = fmaf(R1->m21, R2->m01, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20c = fmaf(R1->m21, R2->m01, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m02, Ro_20c);
-  const float Ro_21a = R1->m20 * R2->m10, Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21c = fmaf(R1->m21, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m12, Ro_21c);
-  const float Ro_22a = R1->m20 * R2->m20, Ro_22c = fmaf(R1->m21, R2->m21, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22c = fmaf(R1->m21, R2->m21, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2439,23 +2542,23 @@ static inline void ksl_product_drdrinvf_fused(const ksl_mat3x3f_t *R1, const ksl
      and underflow. */
 static inline void ksl_product_drinvdrf_fused(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00c = fmaf(R1->m10, R2->m10, Ro_00a),
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00c = fmaf(R1->m10, R2->m10, Ro_00a),
       Ro_00 = fmaf(R1->m20, R2->m20, Ro_00c);
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01c = fmaf(R1->m10, R2->m11, Ro_01a),
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01c = fmaf(R1->m10, R2->m11, Ro_01a),
       Ro_01 = fmaf(R1->m20, R2->m21, Ro_01c);
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02c = fmaf(R1->m10, R2->m12, Ro_02a),
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02c = fmaf(R1->m10, R2->m12, Ro_02a),
       Ro_02 = fmaf(R1->m20, R2->m22, Ro_02c);
-  const float Ro_10a = R1->m01 * R2->m00, Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
+  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10c = fmaf(R1->m11, R2->m10, Ro_10a),
       Ro_10 = fmaf(R1->m21, R2->m20, Ro_10c);
-  const float Ro_11a = R1->m01 * R2->m01, Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
+  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11c = fmaf(R1->m11, R2->m11, Ro_11a),
       Ro_11 = fmaf(R1->m21, R2->m21, Ro_11c);
-  const float Ro_12a = R1->m01 * R2->m02, Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
+  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12c = fmaf(R1->m11, R2->m12, Ro_12a),
       Ro_12 = fmaf(R1->m21, R2->m22, Ro_12c);
-  const float Ro_20a = R1->m02 * R2->m00, Ro_20c = fmaf(R1->m12, R2->m10, Ro_20a),
+  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20c = fmaf(R1->m12, R2->m10, Ro_20a),
       Ro_20 = fmaf(R1->m22, R2->m20, Ro_20c);
-  const float Ro_21a = R1->m02 * R2->m01, Ro_21c = fmaf(R1->m12, R2->m11, Ro_21a),
+  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21c = fmaf(R1->m12, R2->m11, Ro_21a),
       Ro_21 = fmaf(R1->m22, R2->m21, Ro_21c);
-  const float Ro_22a = R1->m02 * R2->m02, Ro_22c = fmaf(R1->m12, R2->m12, Ro_22a),
+  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22c = fmaf(R1->m12, R2->m12, Ro_22a),
       Ro_22 = fmaf(R1->m22, R2->m22, Ro_22c);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -2475,29 +2578,29 @@ static inline void ksl_product_drinvdrf_fused(const ksl_mat3x3f_t *R1, const ksl
      barring over- and underflow. */
 static inline void ksl_product_ddf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m01, D2->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00c = fmaf(D1->m01, D2->m10, Do_00a),
       Do_00 = fmaf(D1->m02, D2->m20, Do_00c);
-  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m01, D2->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01c = fmaf(D1->m01, D2->m11, Do_01a),
       Do_01 = fmaf(D1->m02, D2->m21, Do_01c);
-  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m01, D2->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02c = fmaf(D1->m01, D2->m12, Do_02a),
       Do_02 = fmaf(D1->m02, D2->m22, Do_02c);
-  const float Do_03a = D1->m00 * D2->m03, Do_03c = fmaf(D1->m01, D2->m13, Do_03a),
+  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03c = fmaf(D1->m01, D2->m13, Do_03a),
       Do_03e = fmaf(D1->m02, D2->m23, Do_03c), Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
       Do_10 = fmaf(D1->m12, D2->m20, Do_10c);
-  const float Do_11a = D1->m10 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
       Do_11 = fmaf(D1->m12, D2->m21, Do_11c);
-  const float Do_12a = D1->m10 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
       Do_12 = fmaf(D1->m12, D2->m22, Do_12c);
-  const float Do_13a = D1->m10 * D2->m03, Do_13c = fmaf(D1->m11, D2->m13, Do_13a),
+  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13c = fmaf(D1->m11, D2->m13, Do_13a),
       Do_13e = fmaf(D1->m12, D2->m23, Do_13c), Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * D2->m00, Do_20c = fmaf(D1->m21, D2->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20c = fmaf(D1->m21, D2->m10, Do_20a),
       Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
-  const float Do_21a = D1->m20 * D2->m01, Do_21c = fmaf(D1->m21, D2->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21c = fmaf(D1->m21, D2->m11, Do_21a),
       Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
-  const float Do_22a = D1->m20 * D2->m02, Do_22c = fmaf(D1->m21, D2->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22c = fmaf(D1->m21, D2->m12, Do_22a),
       Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
-  const float Do_23a = D1->m20 * D2->m03, Do_23c = fmaf(D1->m21, D2->m13, Do_23a),
+  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23c = fmaf(D1->m21, D2->m13, Do_23a),
       Do_23e = fmaf(D1->m22, D2->m23, Do_23c), Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -2520,29 +2623,29 @@ static inline void ksl_product_ddf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t 
      barring over- and underflow. */
 static inline void ksl_product_ddinvf_fused(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const float R_0a = D1->m00 * D2->m00, R_0c = fmaf(D1->m01, D2->m01, R_0a),
+  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0c = fmaf(D1->m01, D2->m01, R_0a),
       R_0 = fmaf(D1->m02, D2->m02, R_0c);
-  const float R_1a = D1->m00 * D2->m10, R_1c = fmaf(D1->m01, D2->m11, R_1a),
+  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1c = fmaf(D1->m01, D2->m11, R_1a),
       R_1 = fmaf(D1->m02, D2->m12, R_1c);
-  const float R_2a = D1->m00 * D2->m20, R_2c = fmaf(D1->m01, D2->m21, R_2a),
+  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2c = fmaf(D1->m01, D2->m21, R_2a),
       R_2 = fmaf(D1->m02, D2->m22, R_2c);
-  const float R_3a = D1->m10 * D2->m00, R_3c = fmaf(D1->m11, D2->m01, R_3a),
+  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3c = fmaf(D1->m11, D2->m01, R_3a),
       R_3 = fmaf(D1->m12, D2->m02, R_3c);
-  const float R_4a = D1->m10 * D2->m10, R_4c = fmaf(D1->m11, D2->m11, R_4a),
+  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4c = fmaf(D1->m11, D2->m11, R_4a),
       R_4 = fmaf(D1->m12, D2->m12, R_4c);
-  const float R_5a = D1->m10 * D2->m20, R_5c = fmaf(D1->m11, D2->m21, R_5a),
+  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5c = fmaf(D1->m11, D2->m21, R_5a),
       R_5 = fmaf(D1->m12, D2->m22, R_5c);
-  const float R_6a = D1->m20 * D2->m00, R_6c = fmaf(D1->m21, D2->m01, R_6a),
+  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6c = fmaf(D1->m21, D2->m01, R_6a),
       R_6 = fmaf(D1->m22, D2->m02, R_6c);
-  const float R_7a = D1->m20 * D2->m10, R_7c = fmaf(D1->m21, D2->m11, R_7a),
+  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7c = fmaf(D1->m21, D2->m11, R_7a),
       R_7 = fmaf(D1->m22, D2->m12, R_7c);
-  const float R_8a = D1->m20 * D2->m20, R_8c = fmaf(D1->m21, D2->m21, R_8a),
+  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8c = fmaf(D1->m21, D2->m21, R_8a),
       R_8 = fmaf(D1->m22, D2->m22, R_8c);
-  const float Do_03a = D2->m03 * R_0, Do_03c = fmaf(D2->m13, R_1, Do_03a),
+  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03c = fmaf(D2->m13, R_1, Do_03a),
       Do_03e = fmaf(D2->m23, R_2, Do_03c), Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = D2->m03 * R_3, Do_13c = fmaf(D2->m13, R_4, Do_13a),
+  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13c = fmaf(D2->m13, R_4, Do_13a),
       Do_13e = fmaf(D2->m23, R_5, Do_13c), Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = D2->m03 * R_6, Do_23c = fmaf(D2->m13, R_7, Do_23a),
+  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23c = fmaf(D2->m13, R_7, Do_23a),
       Do_23e = fmaf(D2->m23, R_8, Do_23c), Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
@@ -2568,29 +2671,29 @@ static inline void ksl_product_dinvdf_fused(const ksl_SE3f_t *D1, const ksl_SE3f
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
   const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = D1->m00 * D2->m00, Do_00c = fmaf(D1->m10, D2->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00c = fmaf(D1->m10, D2->m10, Do_00a),
       Do_00 = fmaf(D1->m20, D2->m20, Do_00c);
-  const float Do_01a = D1->m00 * D2->m01, Do_01c = fmaf(D1->m10, D2->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01c = fmaf(D1->m10, D2->m11, Do_01a),
       Do_01 = fmaf(D1->m20, D2->m21, Do_01c);
-  const float Do_02a = D1->m00 * D2->m02, Do_02c = fmaf(D1->m10, D2->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02c = fmaf(D1->m10, D2->m12, Do_02a),
       Do_02 = fmaf(D1->m20, D2->m22, Do_02c);
-  const float Do_03a = D1->m00 * p_0, Do_03c = fmaf(D1->m10, p_1, Do_03a),
+  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03c = fmaf(D1->m10, p_1, Do_03a),
       Do_03 = fmaf(D1->m20, p_2, Do_03c);
-  const float Do_10a = D1->m01 * D2->m00, Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10c = fmaf(D1->m11, D2->m10, Do_10a),
       Do_10 = fmaf(D1->m21, D2->m20, Do_10c);
-  const float Do_11a = D1->m01 * D2->m01, Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11c = fmaf(D1->m11, D2->m11, Do_11a),
       Do_11 = fmaf(D1->m21, D2->m21, Do_11c);
-  const float Do_12a = D1->m01 * D2->m02, Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12c = fmaf(D1->m11, D2->m12, Do_12a),
       Do_12 = fmaf(D1->m21, D2->m22, Do_12c);
-  const float Do_13a = D1->m01 * p_0, Do_13c = fmaf(D1->m11, p_1, Do_13a),
+  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13c = fmaf(D1->m11, p_1, Do_13a),
       Do_13 = fmaf(D1->m21, p_2, Do_13c);
-  const float Do_20a = D1->m02 * D2->m00, Do_20c = fmaf(D1->m12, D2->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20c = fmaf(D1->m12, D2->m10, Do_20a),
       Do_20 = fmaf(D1->m22, D2->m20, Do_20c);
-  const float Do_21a = D1->m02 * D2->m01, Do_21c = fmaf(D1->m12, D2->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21c = fmaf(D1->m12, D2->m11, Do_21a),
       Do_21 = fmaf(D1->m22, D2->m21, Do_21c);
-  const float Do_22a = D1->m02 * D2->m02, Do_22c = fmaf(D1->m12, D2->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22c = fmaf(D1->m12, D2->m12, Do_22a),
       Do_22 = fmaf(D1->m22, D2->m22, Do_22c);
-  const float Do_23a = D1->m02 * p_0, Do_23c = fmaf(D1->m12, p_1, Do_23a),
+  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23c = fmaf(D1->m12, p_1, Do_23a),
       Do_23 = fmaf(D1->m22, p_2, Do_23c);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
@@ -2613,23 +2716,23 @@ static inline void ksl_product_dinvdf_fused(const ksl_SE3f_t *D1, const ksl_SE3f
      barring over- and underflow. */
 static inline void ksl_product_ddrf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m10, Do_00a),
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00c = fmaf(D->m01, R->m10, Do_00a),
       Do_00 = fmaf(D->m02, R->m20, Do_00c);
-  const float Do_01a = D->m00 * R->m01, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01c = fmaf(D->m01, R->m11, Do_01a),
       Do_01 = fmaf(D->m02, R->m21, Do_01c);
-  const float Do_02a = D->m00 * R->m02, Do_02c = fmaf(D->m01, R->m12, Do_02a),
+  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02c = fmaf(D->m01, R->m12, Do_02a),
       Do_02 = fmaf(D->m02, R->m22, Do_02c);
-  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m10, Do_10a),
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10c = fmaf(D->m11, R->m10, Do_10a),
       Do_10 = fmaf(D->m12, R->m20, Do_10c);
-  const float Do_11a = D->m10 * R->m01, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11c = fmaf(D->m11, R->m11, Do_11a),
       Do_11 = fmaf(D->m12, R->m21, Do_11c);
-  const float Do_12a = D->m10 * R->m02, Do_12c = fmaf(D->m11, R->m12, Do_12a),
+  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12c = fmaf(D->m11, R->m12, Do_12a),
       Do_12 = fmaf(D->m12, R->m22, Do_12c);
-  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m10, Do_20a),
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20c = fmaf(D->m21, R->m10, Do_20a),
       Do_20 = fmaf(D->m22, R->m20, Do_20c);
-  const float Do_21a = D->m20 * R->m01, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21c = fmaf(D->m21, R->m11, Do_21a),
       Do_21 = fmaf(D->m22, R->m21, Do_21c);
-  const float Do_22a = D->m20 * R->m02, Do_22c = fmaf(D->m21, R->m12, Do_22a),
+  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22c = fmaf(D->m21, R->m12, Do_22a),
       Do_22 = fmaf(D->m22, R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -2655,23 +2758,23 @@ static inline void ksl_product_ddrf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf_fused(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00c = fmaf(D->m01, R->m01, Do_00a),
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00c = fmaf(D->m01, R->m01, Do_00a),
       Do_00 = fmaf(D->m02, R->m02, Do_00c);
-  const float Do_01a = D->m00 * R->m10, Do_01c = fmaf(D->m01, R->m11, Do_01a),
+  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01c = fmaf(D->m01, R->m11, Do_01a),
       Do_01 = fmaf(D->m02, R->m12, Do_01c);
-  const float Do_02a = D->m00 * R->m20, Do_02c = fmaf(D->m01, R->m21, Do_02a),
+  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02c = fmaf(D->m01, R->m21, Do_02a),
       Do_02 = fmaf(D->m02, R->m22, Do_02c);
-  const float Do_10a = D->m10 * R->m00, Do_10c = fmaf(D->m11, R->m01, Do_10a),
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10c = fmaf(D->m11, R->m01, Do_10a),
       Do_10 = fmaf(D->m12, R->m02, Do_10c);
-  const float Do_11a = D->m10 * R->m10, Do_11c = fmaf(D->m11, R->m11, Do_11a),
+  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11c = fmaf(D->m11, R->m11, Do_11a),
       Do_11 = fmaf(D->m12, R->m12, Do_11c);
-  const float Do_12a = D->m10 * R->m20, Do_12c = fmaf(D->m11, R->m21, Do_12a),
+  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12c = fmaf(D->m11, R->m21, Do_12a),
       Do_12 = fmaf(D->m12, R->m22, Do_12c);
-  const float Do_20a = D->m20 * R->m00, Do_20c = fmaf(D->m21, R->m01, Do_20a),
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20c = fmaf(D->m21, R->m01, Do_20a),
       Do_20 = fmaf(D->m22, R->m02, Do_20c);
-  const float Do_21a = D->m20 * R->m10, Do_21c = fmaf(D->m21, R->m11, Do_21a),
+  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21c = fmaf(D->m21, R->m11, Do_21a),
       Do_21 = fmaf(D->m22, R->m12, Do_21c);
-  const float Do_22a = D->m20 * R->m20, Do_22c = fmaf(D->m21, R->m21, Do_22a),
+  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22c = fmaf(D->m21, R->m21, Do_22a),
       Do_22 = fmaf(D->m22, R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
@@ -2697,11 +2800,11 @@ static inline void ksl_product_ddrinvf_fused(const ksl_SE3f_t *D, const ksl_mat3
      barring over- and underflow. */
 static inline void ksl_product_ddtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03c = fmaf(D->m01, t->y, Do_03a),
       Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = Do_03e + D->m03;
-  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13c = fmaf(D->m11, t->y, Do_13a),
       Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = Do_13e + D->m13;
-  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23c = fmaf(D->m21, t->y, Do_23a),
       Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = Do_23e + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -2733,11 +2836,11 @@ static inline void ksl_product_ddtf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03c = fmaf(D->m01, t->y, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03c = fmaf(D->m01, t->y, Do_03a),
       Do_03e = fmaf(D->m02, t->z, Do_03c), Do_03 = D->m03 - Do_03e;
-  const float Do_13a = D->m10 * t->x, Do_13c = fmaf(D->m11, t->y, Do_13a),
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13c = fmaf(D->m11, t->y, Do_13a),
       Do_13e = fmaf(D->m12, t->z, Do_13c), Do_13 = D->m13 - Do_13e;
-  const float Do_23a = D->m20 * t->x, Do_23c = fmaf(D->m21, t->y, Do_23a),
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23c = fmaf(D->m21, t->y, Do_23a),
       Do_23e = fmaf(D->m22, t->z, Do_23c), Do_23 = D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -2772,11 +2875,11 @@ static inline void ksl_product_dinvdtf_fused(const ksl_SE3f_t *D, const ksl_vec3
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
   const float p_2 = t->z - D->m23;
-  const float Do_03a = D->m00 * p_0, Do_03c = fmaf(D->m10, p_1, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03c = fmaf(D->m10, p_1, Do_03a),
       Do_03 = fmaf(D->m20, p_2, Do_03c);
-  const float Do_13a = D->m01 * p_0, Do_13c = fmaf(D->m11, p_1, Do_13a),
+  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13c = fmaf(D->m11, p_1, Do_13a),
       Do_13 = fmaf(D->m21, p_2, Do_13c);
-  const float Do_23a = D->m02 * p_0, Do_23c = fmaf(D->m12, p_1, Do_23a),
+  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23c = fmaf(D->m12, p_1, Do_23a),
       Do_23 = fmaf(D->m22, p_2, Do_23c);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
@@ -2807,9 +2910,9 @@ static inline void ksl_product_dinvdtf_fused(const ksl_SE3f_t *D, const ksl_vec3
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m00 * k;
-  const float vo_1 = R->m10 * k;
-  const float vo_2 = R->m20 * k;
+  const float vo_0 = KSL_MULF(R->m00, k);
+  const float vo_1 = KSL_MULF(R->m10, k);
+  const float vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2822,12 +2925,12 @@ static inline void ksl_product_drvtxf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdrxf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(R->m02, dc[0], Ro_01a);
-  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m01, dc[0], Ro_02a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(R->m12, dc[0], Ro_11a);
-  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m11, dc[0], Ro_12a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(R->m22, dc[0], Ro_21a);
-  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m21, dc[0], Ro_22a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(R->m02, dc[0], Ro_01a);
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02 = fmaf(-R->m01, dc[0], Ro_02a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(R->m12, dc[0], Ro_11a);
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12 = fmaf(-R->m11, dc[0], Ro_12a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(R->m22, dc[0], Ro_21a);
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22 = fmaf(-R->m21, dc[0], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2848,12 +2951,12 @@ static inline void ksl_product_drdrxf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(D->m02, dc[0], Do_01a);
-  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m01, dc[0], Do_02a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(D->m12, dc[0], Do_11a);
-  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m11, dc[0], Do_12a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(D->m22, dc[0], Do_21a);
-  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m21, dc[0], Do_22a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(D->m02, dc[0], Do_01a);
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02 = fmaf(-D->m01, dc[0], Do_02a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(D->m12, dc[0], Do_11a);
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12 = fmaf(-D->m11, dc[0], Do_12a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(D->m22, dc[0], Do_21a);
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22 = fmaf(-D->m21, dc[0], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -2911,9 +3014,9 @@ static inline void ksl_product_ddtxf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2926,12 +3029,12 @@ static inline void ksl_product_drvtxinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdrxinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m02, dc[0], Ro_01a);
-  const float Ro_02a = R->m01 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m12, dc[0], Ro_11a);
-  const float Ro_12a = R->m11 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m22, dc[0], Ro_21a);
-  const float Ro_22a = R->m21 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(-R->m02, dc[0], Ro_01a);
+  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(-R->m12, dc[0], Ro_11a);
+  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(-R->m22, dc[0], Ro_21a);
+  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -2953,12 +3056,12 @@ static inline void ksl_product_drdrxinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m02, dc[0], Do_01a);
-  const float Do_02a = D->m01 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m12, dc[0], Do_11a);
-  const float Do_12a = D->m11 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m22, dc[0], Do_21a);
-  const float Do_22a = D->m21 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(-D->m02, dc[0], Do_01a);
+  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(-D->m12, dc[0], Do_11a);
+  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(-D->m22, dc[0], Do_21a);
+  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22 = fmaf(D->m22, dc[1], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -3016,9 +3119,9 @@ static inline void ksl_product_ddtxinvf_fused(const ksl_SE3f_t *D, const float k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m01 * k;
-  const float vo_1 = R->m11 * k;
-  const float vo_2 = R->m21 * k;
+  const float vo_0 = KSL_MULF(R->m01, k);
+  const float vo_1 = KSL_MULF(R->m11, k);
+  const float vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3031,12 +3134,12 @@ static inline void ksl_product_drvtyf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdryf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m02, dc[0], Ro_00a);
-  const float Ro_02a = R->m00 * dc[0], Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m12, dc[0], Ro_10a);
-  const float Ro_12a = R->m10 * dc[0], Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m22, dc[0], Ro_20a);
-  const float Ro_22a = R->m20 * dc[0], Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(-R->m02, dc[0], Ro_00a);
+  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02 = fmaf(R->m02, dc[1], Ro_02a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(-R->m12, dc[0], Ro_10a);
+  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12 = fmaf(R->m12, dc[1], Ro_12a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(-R->m22, dc[0], Ro_20a);
+  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22 = fmaf(R->m22, dc[1], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3057,12 +3160,12 @@ static inline void ksl_product_drdryf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m02, dc[0], Do_00a);
-  const float Do_02a = D->m00 * dc[0], Do_02 = fmaf(D->m02, dc[1], Do_02a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m12, dc[0], Do_10a);
-  const float Do_12a = D->m10 * dc[0], Do_12 = fmaf(D->m12, dc[1], Do_12a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m22, dc[0], Do_20a);
-  const float Do_22a = D->m20 * dc[0], Do_22 = fmaf(D->m22, dc[1], Do_22a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(-D->m02, dc[0], Do_00a);
+  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02 = fmaf(D->m02, dc[1], Do_02a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(-D->m12, dc[0], Do_10a);
+  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12 = fmaf(D->m12, dc[1], Do_12a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(-D->m22, dc[0], Do_20a);
+  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22 = fmaf(D->m22, dc[1], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3120,9 +3223,9 @@ static inline void ksl_product_ddtyf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3135,12 +3238,12 @@ static inline void ksl_product_drvtyinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdryinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m02, dc[0], Ro_00a);
-  const float Ro_02a = R->m02 * dc[1], Ro_02 = fmaf(-R->m00, dc[0], Ro_02a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m12, dc[0], Ro_10a);
-  const float Ro_12a = R->m12 * dc[1], Ro_12 = fmaf(-R->m10, dc[0], Ro_12a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m22, dc[0], Ro_20a);
-  const float Ro_22a = R->m22 * dc[1], Ro_22 = fmaf(-R->m20, dc[0], Ro_22a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(R->m02, dc[0], Ro_00a);
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02 = fmaf(-R->m00, dc[0], Ro_02a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(R->m12, dc[0], Ro_10a);
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12 = fmaf(-R->m10, dc[0], Ro_12a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(R->m22, dc[0], Ro_20a);
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22 = fmaf(-R->m20, dc[0], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3162,12 +3265,12 @@ static inline void ksl_product_drdryinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m02, dc[0], Do_00a);
-  const float Do_02a = D->m02 * dc[1], Do_02 = fmaf(-D->m00, dc[0], Do_02a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m12, dc[0], Do_10a);
-  const float Do_12a = D->m12 * dc[1], Do_12 = fmaf(-D->m10, dc[0], Do_12a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m22, dc[0], Do_20a);
-  const float Do_22a = D->m22 * dc[1], Do_22 = fmaf(-D->m20, dc[0], Do_22a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(D->m02, dc[0], Do_00a);
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02 = fmaf(-D->m00, dc[0], Do_02a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(D->m12, dc[0], Do_10a);
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12 = fmaf(-D->m10, dc[0], Do_12a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(D->m22, dc[0], Do_20a);
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22 = fmaf(-D->m20, dc[0], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3225,9 +3328,9 @@ static inline void ksl_product_ddtyinvf_fused(const ksl_SE3f_t *D, const float k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0 = R->m02 * k;
-  const float vo_1 = R->m12 * k;
-  const float vo_2 = R->m22 * k;
+  const float vo_0 = KSL_MULF(R->m02, k);
+  const float vo_1 = KSL_MULF(R->m12, k);
+  const float vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3240,12 +3343,12 @@ static inline void ksl_product_drvtzf_fused(const ksl_mat3x3f_t *R, const float 
      and underflow. */
 static inline void ksl_product_drdrzf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(R->m01, dc[0], Ro_00a);
-  const float Ro_01a = R->m01 * dc[1], Ro_01 = fmaf(-R->m00, dc[0], Ro_01a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(R->m11, dc[0], Ro_10a);
-  const float Ro_11a = R->m11 * dc[1], Ro_11 = fmaf(-R->m10, dc[0], Ro_11a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(R->m21, dc[0], Ro_20a);
-  const float Ro_21a = R->m21 * dc[1], Ro_21 = fmaf(-R->m20, dc[0], Ro_21a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(R->m01, dc[0], Ro_00a);
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01 = fmaf(-R->m00, dc[0], Ro_01a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(R->m11, dc[0], Ro_10a);
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11 = fmaf(-R->m10, dc[0], Ro_11a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(R->m21, dc[0], Ro_20a);
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21 = fmaf(-R->m20, dc[0], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3266,12 +3369,12 @@ static inline void ksl_product_drdrzf_fused(const ksl_mat3x3f_t *R, const float 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf_fused(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(D->m01, dc[0], Do_00a);
-  const float Do_01a = D->m01 * dc[1], Do_01 = fmaf(-D->m00, dc[0], Do_01a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(D->m11, dc[0], Do_10a);
-  const float Do_11a = D->m11 * dc[1], Do_11 = fmaf(-D->m10, dc[0], Do_11a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(D->m21, dc[0], Do_20a);
-  const float Do_21a = D->m21 * dc[1], Do_21 = fmaf(-D->m20, dc[0], Do_21a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(D->m01, dc[0], Do_00a);
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01 = fmaf(-D->m00, dc[0], Do_01a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(D->m11, dc[0], Do_10a);
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11 = fmaf(-D->m10, dc[0], Do_11a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(D->m21, dc[0], Do_20a);
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21 = fmaf(-D->m20, dc[0], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3329,9 +3432,9 @@ static inline void ksl_product_ddtzf_fused(const ksl_SE3f_t *D, const float k, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf_fused(const ksl_mat3x3f_t *R, const float k,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3344,12 +3447,12 @@ static inline void ksl_product_drvtzinvf_fused(const ksl_mat3x3f_t *R, const flo
      and underflow. */
 static inline void ksl_product_drdrzinvf_fused(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00 = fmaf(-R->m01, dc[0], Ro_00a);
-  const float Ro_01a = R->m00 * dc[0], Ro_01 = fmaf(R->m01, dc[1], Ro_01a);
-  const float Ro_10a = R->m10 * dc[1], Ro_10 = fmaf(-R->m11, dc[0], Ro_10a);
-  const float Ro_11a = R->m10 * dc[0], Ro_11 = fmaf(R->m11, dc[1], Ro_11a);
-  const float Ro_20a = R->m20 * dc[1], Ro_20 = fmaf(-R->m21, dc[0], Ro_20a);
-  const float Ro_21a = R->m20 * dc[0], Ro_21 = fmaf(R->m21, dc[1], Ro_21a);
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00 = fmaf(-R->m01, dc[0], Ro_00a);
+  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01 = fmaf(R->m01, dc[1], Ro_01a);
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10 = fmaf(-R->m11, dc[0], Ro_10a);
+  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11 = fmaf(R->m11, dc[1], Ro_11a);
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20 = fmaf(-R->m21, dc[0], Ro_20a);
+  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21 = fmaf(R->m21, dc[1], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3371,12 +3474,12 @@ static inline void ksl_product_drdrzinvf_fused(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf_fused(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00 = fmaf(-D->m01, dc[0], Do_00a);
-  const float Do_01a = D->m00 * dc[0], Do_01 = fmaf(D->m01, dc[1], Do_01a);
-  const float Do_10a = D->m10 * dc[1], Do_10 = fmaf(-D->m11, dc[0], Do_10a);
-  const float Do_11a = D->m10 * dc[0], Do_11 = fmaf(D->m11, dc[1], Do_11a);
-  const float Do_20a = D->m20 * dc[1], Do_20 = fmaf(-D->m21, dc[0], Do_20a);
-  const float Do_21a = D->m20 * dc[0], Do_21 = fmaf(D->m21, dc[1], Do_21a);
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00 = fmaf(-D->m01, dc[0], Do_00a);
+  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01 = fmaf(D->m01, dc[1], Do_01a);
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10 = fmaf(-D->m11, dc[0], Do_10a);
+  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11 = fmaf(D->m11, dc[1], Do_11a);
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20 = fmaf(-D->m21, dc[0], Do_20a);
+  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21 = fmaf(D->m21, dc[1], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3441,12 +3544,12 @@ static inline void ksl_product_ddtzinvf_fused(const ksl_SE3f_t *D, const float k
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_fused(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -3517,12 +3620,12 @@ static inline void ksl_nxpy_ss_fused(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_fused(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3597,9 +3700,12 @@ static inline void ksl_add_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0c = fma(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1c = fma(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2c = fma(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0c = fma(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1c = fma(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2c = fma(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -3618,9 +3724,12 @@ static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -3639,9 +3748,12 @@ static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
   const double so_5 = -si->m5;
@@ -3660,17 +3772,17 @@ static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_scre
      and underflow. */
 static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0 = fma(R->m02, si->m2, so_0c);
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m12, si->m2, so_1c);
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3 = fma(R->m02, si->m5, so_3c);
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m12, si->m5, so_4c);
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3687,17 +3799,17 @@ static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw
      and underflow. */
 static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m10, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m10, si->m1, so_0a),
       so_0 = fma(R->m20, si->m2, so_0c);
-  const double so_1a = R->m01 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m21, si->m2, so_1c);
-  const double so_2a = R->m02 * si->m0, so_2c = fma(R->m12, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2c = fma(R->m12, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m10, si->m4, so_3a),
       so_3 = fma(R->m20, si->m5, so_3c);
-  const double so_4a = R->m01 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m21, si->m5, so_4c);
-  const double so_5a = R->m02 * si->m3, so_5c = fma(R->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5c = fma(R->m12, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3714,17 +3826,17 @@ static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3741,21 +3853,21 @@ static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0 = fma(D->m02, si->m2, w_0c);
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1 = fma(D->m12, si->m2, w_1c);
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2 = fma(D->m22, si->m2, w_2c);
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3 = fma(D->m02, si->m5, w_3c);
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4 = fma(D->m12, si->m5, w_4c);
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5 = fma(D->m22, si->m5, w_5c);
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3771,20 +3883,23 @@ static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0c = fma(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1c = fma(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2c = fma(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0c = fma(D->m10, w_1, so_0a),
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0c = fma(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1c = fma(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2c = fma(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0c = fma(D->m10, w_1, so_0a),
       so_0 = fma(D->m20, w_2, so_0c);
-  const double so_1a = D->m01 * w_0, so_1c = fma(D->m11, w_1, so_1a),
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1c = fma(D->m11, w_1, so_1a),
       so_1 = fma(D->m21, w_2, so_1c);
-  const double so_2a = D->m02 * w_0, so_2c = fma(D->m12, w_1, so_2a),
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2c = fma(D->m12, w_1, so_2a),
       so_2 = fma(D->m22, w_2, so_2c);
-  const double so_3a = D->m00 * si->m3, so_3c = fma(D->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3c = fma(D->m10, si->m4, so_3a),
       so_3 = fma(D->m20, si->m5, so_3c);
-  const double so_4a = D->m01 * si->m3, so_4c = fma(D->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4c = fma(D->m11, si->m4, so_4a),
       so_4 = fma(D->m21, si->m5, so_4c);
-  const double so_5a = D->m02 * si->m3, so_5c = fma(D->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5c = fma(D->m12, si->m4, so_5a),
       so_5 = fma(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -3801,21 +3916,21 @@ static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_
      barring over- and underflow. */
 static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3830,9 +3945,9 @@ static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0 = fma(-D->m10, D->m23, so_0a);
-  const double so_1a = D->m00 * D->m23, so_1 = fma(-D->m20, D->m03, so_1a);
-  const double so_2a = D->m10 * D->m03, so_2 = fma(-D->m00, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0 = fma(-D->m10, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1 = fma(-D->m20, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2 = fma(-D->m00, D->m13, so_2a);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -3850,9 +3965,9 @@ static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0 = fma(-D->m11, D->m23, so_0a);
-  const double so_1a = D->m01 * D->m23, so_1 = fma(-D->m21, D->m03, so_1a);
-  const double so_2a = D->m11 * D->m03, so_2 = fma(-D->m01, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0 = fma(-D->m11, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1 = fma(-D->m21, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2 = fma(-D->m01, D->m13, so_2a);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -3870,9 +3985,9 @@ static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0 = fma(-D->m12, D->m23, so_0a);
-  const double so_1a = D->m02 * D->m23, so_1 = fma(-D->m22, D->m03, so_1a);
-  const double so_2a = D->m12 * D->m03, so_2 = fma(-D->m02, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0 = fma(-D->m12, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1 = fma(-D->m22, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2 = fma(-D->m02, D->m13, so_2a);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -3890,9 +4005,9 @@ static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0 = fma(-D->m20, D->m13, so_0a);
-  const double so_1a = D->m20 * D->m03, so_1 = fma(-D->m00, D->m23, so_1a);
-  const double so_2a = D->m00 * D->m13, so_2 = fma(-D->m10, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0 = fma(-D->m20, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1 = fma(-D->m00, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2 = fma(-D->m10, D->m03, so_2a);
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -3910,9 +4025,9 @@ static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0 = fma(-D->m21, D->m13, so_0a);
-  const double so_1a = D->m21 * D->m03, so_1 = fma(-D->m01, D->m23, so_1a);
-  const double so_2a = D->m01 * D->m13, so_2 = fma(-D->m11, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0 = fma(-D->m21, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1 = fma(-D->m01, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2 = fma(-D->m11, D->m03, so_2a);
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -3930,9 +4045,9 @@ static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0 = fma(-D->m22, D->m13, so_0a);
-  const double so_1a = D->m22 * D->m03, so_1 = fma(-D->m02, D->m23, so_1a);
-  const double so_2a = D->m02 * D->m13, so_2 = fma(-D->m12, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0 = fma(-D->m22, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1 = fma(-D->m02, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2 = fma(-D->m12, D->m03, so_2a);
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -3950,15 +4065,15 @@ static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03 = fma(-D->m10, D->m23, M_03a);
-  const double M_04a = D->m21 * D->m13, M_04 = fma(-D->m11, D->m23, M_04a);
-  const double M_05a = D->m22 * D->m13, M_05 = fma(-D->m12, D->m23, M_05a);
-  const double M_13a = D->m00 * D->m23, M_13 = fma(-D->m20, D->m03, M_13a);
-  const double M_14a = D->m01 * D->m23, M_14 = fma(-D->m21, D->m03, M_14a);
-  const double M_15a = D->m02 * D->m23, M_15 = fma(-D->m22, D->m03, M_15a);
-  const double M_23a = D->m10 * D->m03, M_23 = fma(-D->m00, D->m13, M_23a);
-  const double M_24a = D->m11 * D->m03, M_24 = fma(-D->m01, D->m13, M_24a);
-  const double M_25a = D->m12 * D->m03, M_25 = fma(-D->m02, D->m13, M_25a);
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03 = fma(-D->m10, D->m23, M_03a);
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04 = fma(-D->m11, D->m23, M_04a);
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05 = fma(-D->m12, D->m23, M_05a);
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13 = fma(-D->m20, D->m03, M_13a);
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14 = fma(-D->m21, D->m03, M_14a);
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15 = fma(-D->m22, D->m03, M_15a);
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23 = fma(-D->m00, D->m13, M_23a);
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24 = fma(-D->m01, D->m13, M_24a);
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25 = fma(-D->m02, D->m13, M_25a);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -4012,8 +4127,8 @@ static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_c = fma(c->m1, s->m1, power_a),
-      power_e = fma(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const double power_a = KSL_MUL(c->m0, s->m0), power_c = fma(c->m1, s->m1, power_a),
+      power_e = fma(c->m2, s->m2, power_c), power_f = KSL_MUL(c->m3, s->m3),
       power_h = fma(c->m4, s->m4, power_f), power_j = fma(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -4026,15 +4141,15 @@ static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t 
      barring over- and underflow. */
 static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0c = fma(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1c = fma(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2c = fma(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3 = fma(-s1->m5, s2->m4, so_3a);
-  const double so_4a = s1->m5 * s2->m3, so_4 = fma(-s1->m3, s2->m5, so_4a);
-  const double so_5a = s1->m3 * s2->m4, so_5 = fma(-s1->m4, s2->m3, so_5a);
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0c = fma(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MUL(s1->m4, s2->m2), so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1c = fma(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MUL(s1->m2, s2->m3), so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2c = fma(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MUL(s1->m3, s2->m1), so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3 = fma(-s1->m5, s2->m4, so_3a);
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4 = fma(-s1->m3, s2->m5, so_4a);
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5 = fma(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4050,9 +4165,9 @@ static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0 = fma(-s1->m5, s2->m1, so_0a);
-  const double so_1a = s1->m5 * s2->m0, so_1 = fma(-s1->m3, s2->m2, so_1a);
-  const double so_2a = s1->m3 * s2->m1, so_2 = fma(-s1->m4, s2->m0, so_2a);
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0 = fma(-s1->m5, s2->m1, so_0a);
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1 = fma(-s1->m3, s2->m2, so_1a);
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2 = fma(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4067,15 +4182,15 @@ static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t 
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m13 * a_2, so_0 = fma(-D->m23, a_1, so_0a);
-  const double so_1a = D->m23 * a_0, so_1 = fma(-D->m03, a_2, so_1a);
-  const double so_2a = D->m03 * a_1, so_2 = fma(-D->m13, a_0, so_2a);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2 = fma(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4090,11 +4205,11 @@ static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0 = fma(D->m02, axis->z, so_0c);
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1 = fma(D->m12, axis->z, so_1c);
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2 = fma(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4110,15 +4225,15 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m23 * a_1, so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = D->m03 * a_2, so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = D->m13 * a_0, so_2 = fma(-D->m03, a_1, so_2a);
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -4136,11 +4251,11 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4155,12 +4270,12 @@ static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale_fused(ksl_screwf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -4231,12 +4346,12 @@ static inline void ksl_nxpy_ssf_fused(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf_fused(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4312,9 +4427,12 @@ static inline void ksl_add_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->y * si->m5, so_0c = fmaf(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1c = fmaf(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2c = fmaf(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0c = fmaf(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1c = fmaf(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2c = fmaf(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -4333,9 +4451,12 @@ static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screw
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -4354,9 +4475,12 @@ static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
   const float so_5 = -si->m5;
@@ -4375,17 +4499,17 @@ static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0 = fmaf(R->m02, si->m2, so_0c);
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m12, si->m2, so_1c);
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3 = fmaf(R->m02, si->m5, so_3c);
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m12, si->m5, so_4c);
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4402,17 +4526,17 @@ static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_scr
      and underflow. */
 static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m10, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m10, si->m1, so_0a),
       so_0 = fmaf(R->m20, si->m2, so_0c);
-  const float so_1a = R->m01 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m21, si->m2, so_1c);
-  const float so_2a = R->m02 * si->m0, so_2c = fmaf(R->m12, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2c = fmaf(R->m12, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m10, si->m4, so_3a),
       so_3 = fmaf(R->m20, si->m5, so_3c);
-  const float so_4a = R->m01 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m21, si->m5, so_4c);
-  const float so_5a = R->m02 * si->m3, so_5c = fmaf(R->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5c = fmaf(R->m12, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4429,17 +4553,17 @@ static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4456,21 +4580,21 @@ static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0 = fmaf(D->m02, si->m2, w_0c);
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1 = fmaf(D->m12, si->m2, w_1c);
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2 = fmaf(D->m22, si->m2, w_2c);
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3 = fmaf(D->m02, si->m5, w_3c);
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4 = fmaf(D->m12, si->m5, w_4c);
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5 = fmaf(D->m22, si->m5, w_5c);
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4486,20 +4610,23 @@ static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m23 * si->m4, w_0c = fmaf(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1c = fmaf(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2c = fmaf(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0c = fmaf(D->m10, w_1, so_0a),
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0c = fmaf(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1c = fmaf(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2c = fmaf(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0c = fmaf(D->m10, w_1, so_0a),
       so_0 = fmaf(D->m20, w_2, so_0c);
-  const float so_1a = D->m01 * w_0, so_1c = fmaf(D->m11, w_1, so_1a),
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1c = fmaf(D->m11, w_1, so_1a),
       so_1 = fmaf(D->m21, w_2, so_1c);
-  const float so_2a = D->m02 * w_0, so_2c = fmaf(D->m12, w_1, so_2a),
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2c = fmaf(D->m12, w_1, so_2a),
       so_2 = fmaf(D->m22, w_2, so_2c);
-  const float so_3a = D->m00 * si->m3, so_3c = fmaf(D->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3c = fmaf(D->m10, si->m4, so_3a),
       so_3 = fmaf(D->m20, si->m5, so_3c);
-  const float so_4a = D->m01 * si->m3, so_4c = fmaf(D->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4c = fmaf(D->m11, si->m4, so_4a),
       so_4 = fmaf(D->m21, si->m5, so_4c);
-  const float so_5a = D->m02 * si->m3, so_5c = fmaf(D->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5c = fmaf(D->m12, si->m4, so_5a),
       so_5 = fmaf(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4516,21 +4643,21 @@ static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4545,9 +4672,9 @@ static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_scre
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m20 * D->m13, so_0 = fmaf(-D->m10, D->m23, so_0a);
-  const float so_1a = D->m00 * D->m23, so_1 = fmaf(-D->m20, D->m03, so_1a);
-  const float so_2a = D->m10 * D->m03, so_2 = fmaf(-D->m00, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0 = fmaf(-D->m10, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1 = fmaf(-D->m20, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2 = fmaf(-D->m00, D->m13, so_2a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -4565,9 +4692,9 @@ static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m21 * D->m13, so_0 = fmaf(-D->m11, D->m23, so_0a);
-  const float so_1a = D->m01 * D->m23, so_1 = fmaf(-D->m21, D->m03, so_1a);
-  const float so_2a = D->m11 * D->m03, so_2 = fmaf(-D->m01, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0 = fmaf(-D->m11, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1 = fmaf(-D->m21, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2 = fmaf(-D->m01, D->m13, so_2a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -4585,9 +4712,9 @@ static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m22 * D->m13, so_0 = fmaf(-D->m12, D->m23, so_0a);
-  const float so_1a = D->m02 * D->m23, so_1 = fmaf(-D->m22, D->m03, so_1a);
-  const float so_2a = D->m12 * D->m03, so_2 = fmaf(-D->m02, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0 = fmaf(-D->m12, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1 = fmaf(-D->m22, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2 = fmaf(-D->m02, D->m13, so_2a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -4605,9 +4732,9 @@ static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m10 * D->m23, so_0 = fmaf(-D->m20, D->m13, so_0a);
-  const float so_1a = D->m20 * D->m03, so_1 = fmaf(-D->m00, D->m23, so_1a);
-  const float so_2a = D->m00 * D->m13, so_2 = fmaf(-D->m10, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0 = fmaf(-D->m20, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1 = fmaf(-D->m00, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2 = fmaf(-D->m10, D->m03, so_2a);
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -4625,9 +4752,9 @@ static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m11 * D->m23, so_0 = fmaf(-D->m21, D->m13, so_0a);
-  const float so_1a = D->m21 * D->m03, so_1 = fmaf(-D->m01, D->m23, so_1a);
-  const float so_2a = D->m01 * D->m13, so_2 = fmaf(-D->m11, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0 = fmaf(-D->m21, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1 = fmaf(-D->m01, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2 = fmaf(-D->m11, D->m03, so_2a);
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -4645,9 +4772,9 @@ static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m12 * D->m23, so_0 = fmaf(-D->m22, D->m13, so_0a);
-  const float so_1a = D->m22 * D->m03, so_1 = fmaf(-D->m02, D->m23, so_1a);
-  const float so_2a = D->m02 * D->m13, so_2 = fmaf(-D->m12, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0 = fmaf(-D->m22, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1 = fmaf(-D->m02, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2 = fmaf(-D->m12, D->m03, so_2a);
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -4665,15 +4792,15 @@ static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = D->m20 * D->m13, M_03 = fmaf(-D->m10, D->m23, M_03a);
-  const float M_04a = D->m21 * D->m13, M_04 = fmaf(-D->m11, D->m23, M_04a);
-  const float M_05a = D->m22 * D->m13, M_05 = fmaf(-D->m12, D->m23, M_05a);
-  const float M_13a = D->m00 * D->m23, M_13 = fmaf(-D->m20, D->m03, M_13a);
-  const float M_14a = D->m01 * D->m23, M_14 = fmaf(-D->m21, D->m03, M_14a);
-  const float M_15a = D->m02 * D->m23, M_15 = fmaf(-D->m22, D->m03, M_15a);
-  const float M_23a = D->m10 * D->m03, M_23 = fmaf(-D->m00, D->m13, M_23a);
-  const float M_24a = D->m11 * D->m03, M_24 = fmaf(-D->m01, D->m13, M_24a);
-  const float M_25a = D->m12 * D->m03, M_25 = fmaf(-D->m02, D->m13, M_25a);
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03 = fmaf(-D->m10, D->m23, M_03a);
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04 = fmaf(-D->m11, D->m23, M_04a);
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05 = fmaf(-D->m12, D->m23, M_05a);
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13 = fmaf(-D->m20, D->m03, M_13a);
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14 = fmaf(-D->m21, D->m03, M_14a);
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15 = fmaf(-D->m22, D->m03, M_15a);
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23 = fmaf(-D->m00, D->m13, M_23a);
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24 = fmaf(-D->m01, D->m13, M_24a);
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25 = fmaf(-D->m02, D->m13, M_25a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -4727,8 +4854,8 @@ static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = c->m0 * s->m0, power_c = fmaf(c->m1, s->m1, power_a),
-      power_e = fmaf(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const float power_a = KSL_MULF(c->m0, s->m0), power_c = fmaf(c->m1, s->m1, power_a),
+      power_e = fmaf(c->m2, s->m2, power_c), power_f = KSL_MULF(c->m3, s->m3),
       power_h = fmaf(c->m4, s->m4, power_f), power_j = fmaf(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -4741,15 +4868,15 @@ static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m1 * s2->m5, so_0c = fmaf(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1c = fmaf(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2c = fmaf(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3 = fmaf(-s1->m5, s2->m4, so_3a);
-  const float so_4a = s1->m5 * s2->m3, so_4 = fmaf(-s1->m3, s2->m5, so_4a);
-  const float so_5a = s1->m3 * s2->m4, so_5 = fmaf(-s1->m4, s2->m3, so_5a);
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0c = fmaf(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MULF(s1->m4, s2->m2), so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1c = fmaf(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MULF(s1->m2, s2->m3), so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2c = fmaf(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MULF(s1->m3, s2->m1), so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3 = fmaf(-s1->m5, s2->m4, so_3a);
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4 = fmaf(-s1->m3, s2->m5, so_4a);
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5 = fmaf(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4765,9 +4892,9 @@ static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m4 * s2->m2, so_0 = fmaf(-s1->m5, s2->m1, so_0a);
-  const float so_1a = s1->m5 * s2->m0, so_1 = fmaf(-s1->m3, s2->m2, so_1a);
-  const float so_2a = s1->m3 * s2->m1, so_2 = fmaf(-s1->m4, s2->m0, so_2a);
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0 = fmaf(-s1->m5, s2->m1, so_0a);
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1 = fmaf(-s1->m3, s2->m2, so_1a);
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2 = fmaf(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4782,15 +4909,15 @@ static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m13 * a_2, so_0 = fmaf(-D->m23, a_1, so_0a);
-  const float so_1a = D->m23 * a_0, so_1 = fmaf(-D->m03, a_2, so_1a);
-  const float so_2a = D->m03 * a_1, so_2 = fmaf(-D->m13, a_0, so_2a);
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2 = fmaf(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4805,11 +4932,11 @@ static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0 = fmaf(D->m02, axis->z, so_0c);
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1 = fmaf(D->m12, axis->z, so_1c);
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2 = fmaf(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4826,15 +4953,15 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m23 * a_1, so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = D->m03 * a_2, so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = D->m13 * a_0, so_2 = fmaf(-D->m03, a_1, so_2a);
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -4853,11 +4980,11 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -4880,12 +5007,12 @@ static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_fused(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -4957,12 +5084,12 @@ static inline void ksl_nxpy_cc_fused(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_fused(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5038,9 +5165,12 @@ static inline void ksl_add_cct_fused(const ksl_coscrew_t *c1, const ksl_coscrew_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3c = fma(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4c = fma(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5c = fma(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3c = fma(-t->z, ci->m1, co_3a),
+      co_3 = co_3c + ci->m3;
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4c = fma(-t->x, ci->m2, co_4a),
+      co_4 = co_4c + ci->m4;
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5c = fma(-t->y, ci->m0, co_5a),
+      co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -5059,9 +5189,12 @@ static inline void ksl_product_CoAdtc_fused(const ksl_vec3_t *t, const ksl_coscr
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc_fused(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3c = fma(-t->y, ci->m2, co_3a),
+      co_3 = co_3c + ci->m3;
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4c = fma(-t->z, ci->m0, co_4a),
+      co_4 = co_4c + ci->m4;
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5c = fma(-t->x, ci->m1, co_5a),
+      co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -5083,9 +5216,12 @@ static inline void ksl_product_CoAdtcinv_fused(const ksl_vec3_t *t, const ksl_co
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3c = fma(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4c = fma(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5c = fma(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3c = fma(-t->y, ci->m2, co_3a),
+      co_3 = co_3c - ci->m3;
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4c = fma(-t->z, ci->m0, co_4a),
+      co_4 = co_4c - ci->m4;
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5c = fma(-t->x, ci->m1, co_5a),
+      co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5101,17 +5237,17 @@ static inline void ksl_product_CoAdtcinv_fused(const ksl_vec3_t *t, const ksl_co
      and underflow. */
 static inline void ksl_product_CoAdrc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
       co_0 = fma(R->m02, ci->m2, co_0c);
-  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1 = fma(R->m12, ci->m2, co_1c);
-  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
       co_2 = fma(R->m22, ci->m2, co_2c);
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
       co_3 = fma(R->m02, ci->m5, co_3c);
-  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4 = fma(R->m12, ci->m5, co_4c);
-  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
       co_5 = fma(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5128,17 +5264,17 @@ static inline void ksl_product_CoAdrc_fused(const ksl_mat3x3_t *R, const ksl_cos
      and underflow. */
 static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m10, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m10, ci->m1, co_0a),
       co_0 = fma(R->m20, ci->m2, co_0c);
-  const double co_1a = R->m01 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1 = fma(R->m21, ci->m2, co_1c);
-  const double co_2a = R->m02 * ci->m0, co_2c = fma(R->m12, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2c = fma(R->m12, ci->m1, co_2a),
       co_2 = fma(R->m22, ci->m2, co_2c);
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m10, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m10, ci->m4, co_3a),
       co_3 = fma(R->m20, ci->m5, co_3c);
-  const double co_4a = R->m01 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4 = fma(R->m21, ci->m5, co_4c);
-  const double co_5a = R->m02 * ci->m3, co_5c = fma(R->m12, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5c = fma(R->m12, ci->m4, co_5a),
       co_5 = fma(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5155,17 +5291,17 @@ static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0c = fma(R->m01, ci->m1, co_0a),
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
       co_0e = fma(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1c = fma(R->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
       co_1e = fma(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2c = fma(R->m21, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
       co_2e = fma(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3c = fma(R->m01, ci->m4, co_3a),
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
       co_3e = fma(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4c = fma(R->m11, ci->m4, co_4a),
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
       co_4e = fma(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5c = fma(R->m21, ci->m4, co_5a),
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
       co_5e = fma(R->m22, ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5182,21 +5318,21 @@ static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_CoAdc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
       w_0 = fma(D->m02, ci->m2, w_0c);
-  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
       w_1 = fma(D->m12, ci->m2, w_1c);
-  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
       w_2 = fma(D->m22, ci->m2, w_2c);
-  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
       w_3 = fma(D->m02, ci->m5, w_3c);
-  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
       w_4 = fma(D->m12, ci->m5, w_4c);
-  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
       w_5 = fma(D->m22, ci->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5212,20 +5348,23 @@ static inline void ksl_product_CoAdc_fused(const ksl_SE3_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3c = fma(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4c = fma(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5c = fma(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0c = fma(D->m10, ci->m1, co_0a),
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3c = fma(-D->m13, ci->m2, w_3a),
+      w_3 = w_3c + ci->m3;
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4c = fma(-D->m23, ci->m0, w_4a),
+      w_4 = w_4c + ci->m4;
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5c = fma(-D->m03, ci->m1, w_5a),
+      w_5 = w_5c + ci->m5;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0c = fma(D->m10, ci->m1, co_0a),
       co_0 = fma(D->m20, ci->m2, co_0c);
-  const double co_1a = D->m01 * ci->m0, co_1c = fma(D->m11, ci->m1, co_1a),
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1c = fma(D->m11, ci->m1, co_1a),
       co_1 = fma(D->m21, ci->m2, co_1c);
-  const double co_2a = D->m02 * ci->m0, co_2c = fma(D->m12, ci->m1, co_2a),
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2c = fma(D->m12, ci->m1, co_2a),
       co_2 = fma(D->m22, ci->m2, co_2c);
-  const double co_3a = D->m00 * w_3, co_3c = fma(D->m10, w_4, co_3a),
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3c = fma(D->m10, w_4, co_3a),
       co_3 = fma(D->m20, w_5, co_3c);
-  const double co_4a = D->m01 * w_3, co_4c = fma(D->m11, w_4, co_4a),
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4c = fma(D->m11, w_4, co_4a),
       co_4 = fma(D->m21, w_5, co_4c);
-  const double co_5a = D->m02 * w_3, co_5c = fma(D->m12, w_4, co_5a),
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5c = fma(D->m12, w_4, co_5a),
       co_5 = fma(D->m22, w_5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -5242,21 +5381,21 @@ static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0c = fma(D->m01, ci->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
       w_0e = fma(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1c = fma(D->m11, ci->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
       w_1e = fma(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2c = fma(D->m21, ci->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
       w_2e = fma(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3c = fma(D->m01, ci->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
       w_3e = fma(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4c = fma(D->m11, ci->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
       w_4e = fma(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5c = fma(D->m21, ci->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
       w_5e = fma(D->m22, ci->m5, w_5c), w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5271,9 +5410,9 @@ static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_cosc
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3 = fma(-D->m10, D->m23, co_3a);
-  const double co_4a = D->m00 * D->m23, co_4 = fma(-D->m20, D->m03, co_4a);
-  const double co_5a = D->m10 * D->m03, co_5 = fma(-D->m00, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3 = fma(-D->m10, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4 = fma(-D->m20, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5 = fma(-D->m00, D->m13, co_5a);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -5291,9 +5430,9 @@ static inline void ksl_hctx_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3 = fma(-D->m11, D->m23, co_3a);
-  const double co_4a = D->m01 * D->m23, co_4 = fma(-D->m21, D->m03, co_4a);
-  const double co_5a = D->m11 * D->m03, co_5 = fma(-D->m01, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3 = fma(-D->m11, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4 = fma(-D->m21, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5 = fma(-D->m01, D->m13, co_5a);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -5311,9 +5450,9 @@ static inline void ksl_hcty_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3 = fma(-D->m12, D->m23, co_3a);
-  const double co_4a = D->m02 * D->m23, co_4 = fma(-D->m22, D->m03, co_4a);
-  const double co_5a = D->m12 * D->m03, co_5 = fma(-D->m02, D->m13, co_5a);
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3 = fma(-D->m12, D->m23, co_3a);
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4 = fma(-D->m22, D->m03, co_4a);
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5 = fma(-D->m02, D->m13, co_5a);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -5334,9 +5473,9 @@ static inline void ksl_hctxinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3 = fma(-D->m20, D->m13, co_3a);
-  const double co_4a = D->m20 * D->m03, co_4 = fma(-D->m00, D->m23, co_4a);
-  const double co_5a = D->m00 * D->m13, co_5 = fma(-D->m10, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3 = fma(-D->m20, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4 = fma(-D->m00, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5 = fma(-D->m10, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5354,9 +5493,9 @@ static inline void ksl_hctyinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3 = fma(-D->m21, D->m13, co_3a);
-  const double co_4a = D->m21 * D->m03, co_4 = fma(-D->m01, D->m23, co_4a);
-  const double co_5a = D->m01 * D->m13, co_5 = fma(-D->m11, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3 = fma(-D->m21, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4 = fma(-D->m01, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5 = fma(-D->m11, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5374,9 +5513,9 @@ static inline void ksl_hctzinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3 = fma(-D->m22, D->m13, co_3a);
-  const double co_4a = D->m22 * D->m03, co_4 = fma(-D->m02, D->m23, co_4a);
-  const double co_5a = D->m02 * D->m13, co_5 = fma(-D->m12, D->m03, co_5a);
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3 = fma(-D->m22, D->m13, co_3a);
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4 = fma(-D->m02, D->m23, co_4a);
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5 = fma(-D->m12, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5391,15 +5530,15 @@ static inline void ksl_hctzinv_fused(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30 = fma(-D->m10, D->m23, M_30a);
-  const double M_31a = D->m21 * D->m13, M_31 = fma(-D->m11, D->m23, M_31a);
-  const double M_32a = D->m22 * D->m13, M_32 = fma(-D->m12, D->m23, M_32a);
-  const double M_40a = D->m00 * D->m23, M_40 = fma(-D->m20, D->m03, M_40a);
-  const double M_41a = D->m01 * D->m23, M_41 = fma(-D->m21, D->m03, M_41a);
-  const double M_42a = D->m02 * D->m23, M_42 = fma(-D->m22, D->m03, M_42a);
-  const double M_50a = D->m10 * D->m03, M_50 = fma(-D->m00, D->m13, M_50a);
-  const double M_51a = D->m11 * D->m03, M_51 = fma(-D->m01, D->m13, M_51a);
-  const double M_52a = D->m12 * D->m03, M_52 = fma(-D->m02, D->m13, M_52a);
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30 = fma(-D->m10, D->m23, M_30a);
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31 = fma(-D->m11, D->m23, M_31a);
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32 = fma(-D->m12, D->m23, M_32a);
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40 = fma(-D->m20, D->m03, M_40a);
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41 = fma(-D->m21, D->m03, M_41a);
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42 = fma(-D->m22, D->m03, M_42a);
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50 = fma(-D->m00, D->m13, M_50a);
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51 = fma(-D->m01, D->m13, M_51a);
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52 = fma(-D->m02, D->m13, M_52a);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -5453,8 +5592,8 @@ static inline void ksl_CoAd_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product_fused(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_c = fma(c->m1, x[4], power_a),
-      power_e = fma(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+  const double power_a = KSL_MUL(c->m0, x[3]), power_c = fma(c->m1, x[4], power_a),
+      power_e = fma(c->m2, x[5], power_c), power_f = KSL_MUL(c->m3, x[0]),
       power_h = fma(c->m4, x[1], power_f), power_j = fma(c->m5, x[2], power_h),
       power = power_e + power_j;
   return power;
@@ -5467,15 +5606,15 @@ static inline double ksl_reciprocal_product_fused(const ksl_coscrew_t *c, const 
      barring over- and underflow. */
 static inline void ksl_cross_sc_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0 = fma(-s->m5, c->m1, co_0a);
-  const double co_1a = s->m5 * c->m0, co_1 = fma(-s->m3, c->m2, co_1a);
-  const double co_2a = s->m3 * c->m1, co_2 = fma(-s->m4, c->m0, co_2a);
-  const double co_3a = s->m1 * c->m2, co_3c = fma(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
-      co_3f = fma(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4c = fma(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
-      co_4f = fma(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5c = fma(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
-      co_5f = fma(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0 = fma(-s->m5, c->m1, co_0a);
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1 = fma(-s->m3, c->m2, co_1a);
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2 = fma(-s->m4, c->m0, co_2a);
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3c = fma(-s->m2, c->m1, co_3a),
+      co_3d = KSL_MUL(s->m4, c->m5), co_3f = fma(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4c = fma(-s->m0, c->m2, co_4a),
+      co_4d = KSL_MUL(s->m5, c->m3), co_4f = fma(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5c = fma(-s->m1, c->m0, co_5a),
+      co_5d = KSL_MUL(s->m3, c->m4), co_5f = fma(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5491,9 +5630,9 @@ static inline void ksl_cross_sc_fused(const ksl_screw_t *s, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_cross_sca_fused(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3 = fma(-s->m5, c->m4, co_3a);
-  const double co_4a = s->m5 * c->m3, co_4 = fma(-s->m3, c->m5, co_4a);
-  const double co_5a = s->m3 * c->m4, co_5 = fma(-s->m4, c->m3, co_5a);
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3 = fma(-s->m5, c->m4, co_3a);
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4 = fma(-s->m3, c->m5, co_4a);
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5 = fma(-s->m4, c->m3, co_5a);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5509,18 +5648,18 @@ static inline void ksl_cross_sca_fused(const ksl_screw_t *s, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0 = fma(D->m02, c->m2, w_0a);
-  const double w_1a = D->m11 * c->m1, w_1 = fma(D->m12, c->m2, w_1a);
-  const double w_2a = D->m21 * c->m1, w_2 = fma(D->m22, c->m2, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5536,18 +5675,18 @@ static inline void ksl_constraint_ctx_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m02, c->m2, w_0a);
-  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m12, c->m2, w_1a);
-  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m22, c->m2, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0 = fma(D->m02, c->m2, w_0a);
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1 = fma(D->m12, c->m2, w_1a);
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2 = fma(D->m22, c->m2, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5563,18 +5702,18 @@ static inline void ksl_constraint_cty_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0 = fma(D->m01, c->m1, w_0a);
-  const double w_1a = D->m10 * c->m0, w_1 = fma(D->m11, c->m1, w_1a);
-  const double w_2a = D->m20 * c->m0, w_2 = fma(D->m21, c->m1, w_2a);
-  const double w_3a = D->m00 * c->m3, w_3c = fma(D->m01, c->m4, w_3a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0 = fma(D->m01, c->m1, w_0a);
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1 = fma(D->m11, c->m1, w_1a);
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2 = fma(D->m21, c->m1, w_2a);
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3c = fma(D->m01, c->m4, w_3a),
       w_3 = fma(D->m02, c->m5, w_3c);
-  const double w_4a = D->m10 * c->m3, w_4c = fma(D->m11, c->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4c = fma(D->m11, c->m4, w_4a),
       w_4 = fma(D->m12, c->m5, w_4c);
-  const double w_5a = D->m20 * c->m3, w_5c = fma(D->m21, c->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5c = fma(D->m21, c->m4, w_5a),
       w_5 = fma(D->m22, c->m5, w_5c);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5590,18 +5729,18 @@ static inline void ksl_constraint_ctz_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m01 * c->m4, w_3 = fma(D->m02, c->m5, w_3a);
-  const double w_4a = D->m11 * c->m4, w_4 = fma(D->m12, c->m5, w_4a);
-  const double w_5a = D->m21 * c->m4, w_5 = fma(D->m22, c->m5, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5617,18 +5756,18 @@ static inline void ksl_constraint_crx_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m02, c->m5, w_3a);
-  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m12, c->m5, w_4a);
-  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m22, c->m5, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3 = fma(D->m02, c->m5, w_3a);
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4 = fma(D->m12, c->m5, w_4a);
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5 = fma(D->m22, c->m5, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5644,18 +5783,18 @@ static inline void ksl_constraint_cry_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_constraint_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0c = fma(D->m01, c->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0c = fma(D->m01, c->m1, w_0a),
       w_0 = fma(D->m02, c->m2, w_0c);
-  const double w_1a = D->m10 * c->m0, w_1c = fma(D->m11, c->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1c = fma(D->m11, c->m1, w_1a),
       w_1 = fma(D->m12, c->m2, w_1c);
-  const double w_2a = D->m20 * c->m0, w_2c = fma(D->m21, c->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2c = fma(D->m21, c->m1, w_2a),
       w_2 = fma(D->m22, c->m2, w_2c);
-  const double w_3a = D->m00 * c->m3, w_3 = fma(D->m01, c->m4, w_3a);
-  const double w_4a = D->m10 * c->m3, w_4 = fma(D->m11, c->m4, w_4a);
-  const double w_5a = D->m20 * c->m3, w_5 = fma(D->m21, c->m4, w_5a);
-  const double co_3a = D->m13 * w_2, co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3 = fma(D->m01, c->m4, w_3a);
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4 = fma(D->m11, c->m4, w_4a);
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5 = fma(D->m21, c->m4, w_5a);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5671,12 +5810,12 @@ static inline void ksl_constraint_crz_fused(const ksl_SE3_t *D, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_working_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5692,12 +5831,12 @@ static inline void ksl_working_ctx_fused(const ksl_SE3_t *D, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_working_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5713,12 +5852,12 @@ static inline void ksl_working_cty_fused(const ksl_SE3_t *D, const ksl_coscrew_t
      barring over- and underflow. */
 static inline void ksl_working_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3 = fma(-D->m23, w_1, co_3a);
-  const double co_4a = D->m23 * w_0, co_4 = fma(-D->m03, w_2, co_4a);
-  const double co_5a = D->m03 * w_1, co_5 = fma(-D->m13, w_0, co_5a);
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3 = fma(-D->m23, w_1, co_3a);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4 = fma(-D->m03, w_2, co_4a);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5 = fma(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -5733,9 +5872,9 @@ static inline void ksl_working_ctz_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5750,9 +5889,9 @@ static inline void ksl_working_crx_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5767,9 +5906,9 @@ static inline void ksl_working_cry_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -5783,12 +5922,12 @@ static inline void ksl_working_crz_fused(const ksl_SE3_t *D, const ksl_coscrew_t
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale_fused(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -5860,12 +5999,12 @@ static inline void ksl_nxpy_ccf_fused(const ksl_coscrewf_t *x, ksl_coscrewf_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf_fused(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5941,9 +6080,12 @@ static inline void ksl_add_cctf_fused(const ksl_coscrewf_t *c1, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->y * ci->m2, co_3c = fmaf(-t->z, ci->m1, co_3a), co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4c = fmaf(-t->x, ci->m2, co_4a), co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5c = fmaf(-t->y, ci->m0, co_5a), co_5 = co_5c + ci->m5;
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3c = fmaf(-t->z, ci->m1, co_3a),
+      co_3 = co_3c + ci->m3;
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4c = fmaf(-t->x, ci->m2, co_4a),
+      co_4 = co_4c + ci->m4;
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5c = fmaf(-t->y, ci->m0, co_5a),
+      co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -5962,9 +6104,12 @@ static inline void ksl_product_CoAdtcf_fused(const ksl_vec3f_t *t, const ksl_cos
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf_fused(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c + ci->m5;
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3c = fmaf(-t->y, ci->m2, co_3a),
+      co_3 = co_3c + ci->m3;
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4c = fmaf(-t->z, ci->m0, co_4a),
+      co_4 = co_4c + ci->m4;
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5c = fmaf(-t->x, ci->m1, co_5a),
+      co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -5986,9 +6131,12 @@ static inline void ksl_product_CoAdtcinvf_fused(const ksl_vec3f_t *t, const ksl_
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3c = fmaf(-t->y, ci->m2, co_3a), co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4c = fmaf(-t->z, ci->m0, co_4a), co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5c = fmaf(-t->x, ci->m1, co_5a), co_5 = co_5c - ci->m5;
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3c = fmaf(-t->y, ci->m2, co_3a),
+      co_3 = co_3c - ci->m3;
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4c = fmaf(-t->z, ci->m0, co_4a),
+      co_4 = co_4c - ci->m4;
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5c = fmaf(-t->x, ci->m1, co_5a),
+      co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6004,17 +6152,17 @@ static inline void ksl_product_CoAdtcinvf_fused(const ksl_vec3f_t *t, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
       co_0 = fmaf(R->m02, ci->m2, co_0c);
-  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1 = fmaf(R->m12, ci->m2, co_1c);
-  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
       co_2 = fmaf(R->m22, ci->m2, co_2c);
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
       co_3 = fmaf(R->m02, ci->m5, co_3c);
-  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4 = fmaf(R->m12, ci->m5, co_4c);
-  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
       co_5 = fmaf(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -6031,17 +6179,17 @@ static inline void ksl_product_CoAdrcf_fused(const ksl_mat3x3f_t *R, const ksl_c
      and underflow. */
 static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m10, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m10, ci->m1, co_0a),
       co_0 = fmaf(R->m20, ci->m2, co_0c);
-  const float co_1a = R->m01 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1 = fmaf(R->m21, ci->m2, co_1c);
-  const float co_2a = R->m02 * ci->m0, co_2c = fmaf(R->m12, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2c = fmaf(R->m12, ci->m1, co_2a),
       co_2 = fmaf(R->m22, ci->m2, co_2c);
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m10, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m10, ci->m4, co_3a),
       co_3 = fmaf(R->m20, ci->m5, co_3c);
-  const float co_4a = R->m01 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4 = fmaf(R->m21, ci->m5, co_4c);
-  const float co_5a = R->m02 * ci->m3, co_5c = fmaf(R->m12, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5c = fmaf(R->m12, ci->m4, co_5a),
       co_5 = fmaf(R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -6058,17 +6206,17 @@ static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0c = fmaf(R->m01, ci->m1, co_0a),
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
       co_0e = fmaf(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1c = fmaf(R->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
       co_1e = fmaf(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2c = fmaf(R->m21, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
       co_2e = fmaf(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3c = fmaf(R->m01, ci->m4, co_3a),
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
       co_3e = fmaf(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4c = fmaf(R->m11, ci->m4, co_4a),
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
       co_4e = fmaf(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5c = fmaf(R->m21, ci->m4, co_5a),
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
       co_5e = fmaf(R->m22, ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -6085,21 +6233,21 @@ static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ks
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
       w_0 = fmaf(D->m02, ci->m2, w_0c);
-  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
       w_1 = fmaf(D->m12, ci->m2, w_1c);
-  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
       w_2 = fmaf(D->m22, ci->m2, w_2c);
-  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
       w_3 = fmaf(D->m02, ci->m5, w_3c);
-  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
       w_4 = fmaf(D->m12, ci->m5, w_4c);
-  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
       w_5 = fmaf(D->m22, ci->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6115,20 +6263,23 @@ static inline void ksl_product_CoAdcf_fused(const ksl_SE3f_t *D, const ksl_coscr
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = D->m23 * ci->m1, w_3c = fmaf(-D->m13, ci->m2, w_3a), w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4c = fmaf(-D->m23, ci->m0, w_4a), w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5c = fmaf(-D->m03, ci->m1, w_5a), w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0c = fmaf(D->m10, ci->m1, co_0a),
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3c = fmaf(-D->m13, ci->m2, w_3a),
+      w_3 = w_3c + ci->m3;
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4c = fmaf(-D->m23, ci->m0, w_4a),
+      w_4 = w_4c + ci->m4;
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5c = fmaf(-D->m03, ci->m1, w_5a),
+      w_5 = w_5c + ci->m5;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0c = fmaf(D->m10, ci->m1, co_0a),
       co_0 = fmaf(D->m20, ci->m2, co_0c);
-  const float co_1a = D->m01 * ci->m0, co_1c = fmaf(D->m11, ci->m1, co_1a),
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1c = fmaf(D->m11, ci->m1, co_1a),
       co_1 = fmaf(D->m21, ci->m2, co_1c);
-  const float co_2a = D->m02 * ci->m0, co_2c = fmaf(D->m12, ci->m1, co_2a),
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2c = fmaf(D->m12, ci->m1, co_2a),
       co_2 = fmaf(D->m22, ci->m2, co_2c);
-  const float co_3a = D->m00 * w_3, co_3c = fmaf(D->m10, w_4, co_3a),
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3c = fmaf(D->m10, w_4, co_3a),
       co_3 = fmaf(D->m20, w_5, co_3c);
-  const float co_4a = D->m01 * w_3, co_4c = fmaf(D->m11, w_4, co_4a),
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4c = fmaf(D->m11, w_4, co_4a),
       co_4 = fmaf(D->m21, w_5, co_4c);
-  const float co_5a = D->m02 * w_3, co_5c = fmaf(D->m12, w_4, co_5a),
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5c = fmaf(D->m12, w_4, co_5a),
       co_5 = fmaf(D->m22, w_5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
@@ -6145,21 +6296,21 @@ static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_co
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0c = fmaf(D->m01, ci->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
       w_0e = fmaf(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1c = fmaf(D->m11, ci->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
       w_1e = fmaf(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2c = fmaf(D->m21, ci->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
       w_2e = fmaf(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3c = fmaf(D->m01, ci->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
       w_3e = fmaf(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4c = fmaf(D->m11, ci->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
       w_4e = fmaf(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5c = fmaf(D->m21, ci->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
       w_5e = fmaf(D->m22, ci->m5, w_5c), w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6174,9 +6325,9 @@ static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_co
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m20 * D->m13, co_3 = fmaf(-D->m10, D->m23, co_3a);
-  const float co_4a = D->m00 * D->m23, co_4 = fmaf(-D->m20, D->m03, co_4a);
-  const float co_5a = D->m10 * D->m03, co_5 = fmaf(-D->m00, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3 = fmaf(-D->m10, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4 = fmaf(-D->m20, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5 = fmaf(-D->m00, D->m13, co_5a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -6194,9 +6345,9 @@ static inline void ksl_hctxf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m21 * D->m13, co_3 = fmaf(-D->m11, D->m23, co_3a);
-  const float co_4a = D->m01 * D->m23, co_4 = fmaf(-D->m21, D->m03, co_4a);
-  const float co_5a = D->m11 * D->m03, co_5 = fmaf(-D->m01, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3 = fmaf(-D->m11, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4 = fmaf(-D->m21, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5 = fmaf(-D->m01, D->m13, co_5a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -6214,9 +6365,9 @@ static inline void ksl_hctyf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m22 * D->m13, co_3 = fmaf(-D->m12, D->m23, co_3a);
-  const float co_4a = D->m02 * D->m23, co_4 = fmaf(-D->m22, D->m03, co_4a);
-  const float co_5a = D->m12 * D->m03, co_5 = fmaf(-D->m02, D->m13, co_5a);
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3 = fmaf(-D->m12, D->m23, co_3a);
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4 = fmaf(-D->m22, D->m03, co_4a);
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5 = fmaf(-D->m02, D->m13, co_5a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -6237,9 +6388,9 @@ static inline void ksl_hctxinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3 = fmaf(-D->m20, D->m13, co_3a);
-  const float co_4a = D->m20 * D->m03, co_4 = fmaf(-D->m00, D->m23, co_4a);
-  const float co_5a = D->m00 * D->m13, co_5 = fmaf(-D->m10, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3 = fmaf(-D->m20, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4 = fmaf(-D->m00, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5 = fmaf(-D->m10, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6257,9 +6408,9 @@ static inline void ksl_hctyinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3 = fmaf(-D->m21, D->m13, co_3a);
-  const float co_4a = D->m21 * D->m03, co_4 = fmaf(-D->m01, D->m23, co_4a);
-  const float co_5a = D->m01 * D->m13, co_5 = fmaf(-D->m11, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3 = fmaf(-D->m21, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4 = fmaf(-D->m01, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5 = fmaf(-D->m11, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6277,9 +6428,9 @@ static inline void ksl_hctzinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3 = fmaf(-D->m22, D->m13, co_3a);
-  const float co_4a = D->m22 * D->m03, co_4 = fmaf(-D->m02, D->m23, co_4a);
-  const float co_5a = D->m02 * D->m13, co_5 = fmaf(-D->m12, D->m03, co_5a);
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3 = fmaf(-D->m22, D->m13, co_3a);
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4 = fmaf(-D->m02, D->m23, co_4a);
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5 = fmaf(-D->m12, D->m03, co_5a);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6294,15 +6445,15 @@ static inline void ksl_hctzinvf_fused(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = D->m20 * D->m13, M_30 = fmaf(-D->m10, D->m23, M_30a);
-  const float M_31a = D->m21 * D->m13, M_31 = fmaf(-D->m11, D->m23, M_31a);
-  const float M_32a = D->m22 * D->m13, M_32 = fmaf(-D->m12, D->m23, M_32a);
-  const float M_40a = D->m00 * D->m23, M_40 = fmaf(-D->m20, D->m03, M_40a);
-  const float M_41a = D->m01 * D->m23, M_41 = fmaf(-D->m21, D->m03, M_41a);
-  const float M_42a = D->m02 * D->m23, M_42 = fmaf(-D->m22, D->m03, M_42a);
-  const float M_50a = D->m10 * D->m03, M_50 = fmaf(-D->m00, D->m13, M_50a);
-  const float M_51a = D->m11 * D->m03, M_51 = fmaf(-D->m01, D->m13, M_51a);
-  const float M_52a = D->m12 * D->m03, M_52 = fmaf(-D->m02, D->m13, M_52a);
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30 = fmaf(-D->m10, D->m23, M_30a);
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31 = fmaf(-D->m11, D->m23, M_31a);
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32 = fmaf(-D->m12, D->m23, M_32a);
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40 = fmaf(-D->m20, D->m03, M_40a);
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41 = fmaf(-D->m21, D->m03, M_41a);
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42 = fmaf(-D->m22, D->m03, M_42a);
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50 = fmaf(-D->m00, D->m13, M_50a);
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51 = fmaf(-D->m01, D->m13, M_51a);
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52 = fmaf(-D->m02, D->m13, M_52a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -6356,8 +6507,8 @@ static inline void ksl_CoAdf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf_fused(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = c->m0 * x[3], power_c = fmaf(c->m1, x[4], power_a),
-      power_e = fmaf(c->m2, x[5], power_c), power_f = c->m3 * x[0],
+  const float power_a = KSL_MULF(c->m0, x[3]), power_c = fmaf(c->m1, x[4], power_a),
+      power_e = fmaf(c->m2, x[5], power_c), power_f = KSL_MULF(c->m3, x[0]),
       power_h = fmaf(c->m4, x[1], power_f), power_j = fmaf(c->m5, x[2], power_h),
       power = power_e + power_j;
   return power;
@@ -6370,15 +6521,15 @@ static inline float ksl_reciprocal_productf_fused(const ksl_coscrewf_t *c, const
      barring over- and underflow. */
 static inline void ksl_cross_scf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = s->m4 * c->m2, co_0 = fmaf(-s->m5, c->m1, co_0a);
-  const float co_1a = s->m5 * c->m0, co_1 = fmaf(-s->m3, c->m2, co_1a);
-  const float co_2a = s->m3 * c->m1, co_2 = fmaf(-s->m4, c->m0, co_2a);
-  const float co_3a = s->m1 * c->m2, co_3c = fmaf(-s->m2, c->m1, co_3a), co_3d = s->m4 * c->m5,
-      co_3f = fmaf(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4c = fmaf(-s->m0, c->m2, co_4a), co_4d = s->m5 * c->m3,
-      co_4f = fmaf(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5c = fmaf(-s->m1, c->m0, co_5a), co_5d = s->m3 * c->m4,
-      co_5f = fmaf(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0 = fmaf(-s->m5, c->m1, co_0a);
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1 = fmaf(-s->m3, c->m2, co_1a);
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2 = fmaf(-s->m4, c->m0, co_2a);
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3c = fmaf(-s->m2, c->m1, co_3a),
+      co_3d = KSL_MULF(s->m4, c->m5), co_3f = fmaf(-s->m5, c->m4, co_3d), co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4c = fmaf(-s->m0, c->m2, co_4a),
+      co_4d = KSL_MULF(s->m5, c->m3), co_4f = fmaf(-s->m3, c->m5, co_4d), co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5c = fmaf(-s->m1, c->m0, co_5a),
+      co_5d = KSL_MULF(s->m3, c->m4), co_5f = fmaf(-s->m4, c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6394,9 +6545,9 @@ static inline void ksl_cross_scf_fused(const ksl_screwf_t *s, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_cross_scaf_fused(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = s->m4 * c->m5, co_3 = fmaf(-s->m5, c->m4, co_3a);
-  const float co_4a = s->m5 * c->m3, co_4 = fmaf(-s->m3, c->m5, co_4a);
-  const float co_5a = s->m3 * c->m4, co_5 = fmaf(-s->m4, c->m3, co_5a);
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3 = fmaf(-s->m5, c->m4, co_3a);
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4 = fmaf(-s->m3, c->m5, co_4a);
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5 = fmaf(-s->m4, c->m3, co_5a);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6412,18 +6563,18 @@ static inline void ksl_cross_scaf_fused(const ksl_screwf_t *s, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m01 * c->m1, w_0 = fmaf(D->m02, c->m2, w_0a);
-  const float w_1a = D->m11 * c->m1, w_1 = fmaf(D->m12, c->m2, w_1a);
-  const float w_2a = D->m21 * c->m1, w_2 = fmaf(D->m22, c->m2, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6439,18 +6590,18 @@ static inline void ksl_constraint_ctxf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m02, c->m2, w_0a);
-  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m12, c->m2, w_1a);
-  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m22, c->m2, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0 = fmaf(D->m02, c->m2, w_0a);
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1 = fmaf(D->m12, c->m2, w_1a);
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2 = fmaf(D->m22, c->m2, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6466,18 +6617,18 @@ static inline void ksl_constraint_ctyf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0 = fmaf(D->m01, c->m1, w_0a);
-  const float w_1a = D->m10 * c->m0, w_1 = fmaf(D->m11, c->m1, w_1a);
-  const float w_2a = D->m20 * c->m0, w_2 = fmaf(D->m21, c->m1, w_2a);
-  const float w_3a = D->m00 * c->m3, w_3c = fmaf(D->m01, c->m4, w_3a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0 = fmaf(D->m01, c->m1, w_0a);
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1 = fmaf(D->m11, c->m1, w_1a);
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2 = fmaf(D->m21, c->m1, w_2a);
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3c = fmaf(D->m01, c->m4, w_3a),
       w_3 = fmaf(D->m02, c->m5, w_3c);
-  const float w_4a = D->m10 * c->m3, w_4c = fmaf(D->m11, c->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4c = fmaf(D->m11, c->m4, w_4a),
       w_4 = fmaf(D->m12, c->m5, w_4c);
-  const float w_5a = D->m20 * c->m3, w_5c = fmaf(D->m21, c->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5c = fmaf(D->m21, c->m4, w_5a),
       w_5 = fmaf(D->m22, c->m5, w_5c);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6493,18 +6644,18 @@ static inline void ksl_constraint_ctzf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m01 * c->m4, w_3 = fmaf(D->m02, c->m5, w_3a);
-  const float w_4a = D->m11 * c->m4, w_4 = fmaf(D->m12, c->m5, w_4a);
-  const float w_5a = D->m21 * c->m4, w_5 = fmaf(D->m22, c->m5, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6520,18 +6671,18 @@ static inline void ksl_constraint_crxf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m02, c->m5, w_3a);
-  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m12, c->m5, w_4a);
-  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m22, c->m5, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3 = fmaf(D->m02, c->m5, w_3a);
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4 = fmaf(D->m12, c->m5, w_4a);
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5 = fmaf(D->m22, c->m5, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6547,18 +6698,18 @@ static inline void ksl_constraint_cryf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_constraint_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0c = fmaf(D->m01, c->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0c = fmaf(D->m01, c->m1, w_0a),
       w_0 = fmaf(D->m02, c->m2, w_0c);
-  const float w_1a = D->m10 * c->m0, w_1c = fmaf(D->m11, c->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1c = fmaf(D->m11, c->m1, w_1a),
       w_1 = fmaf(D->m12, c->m2, w_1c);
-  const float w_2a = D->m20 * c->m0, w_2c = fmaf(D->m21, c->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2c = fmaf(D->m21, c->m1, w_2a),
       w_2 = fmaf(D->m22, c->m2, w_2c);
-  const float w_3a = D->m00 * c->m3, w_3 = fmaf(D->m01, c->m4, w_3a);
-  const float w_4a = D->m10 * c->m3, w_4 = fmaf(D->m11, c->m4, w_4a);
-  const float w_5a = D->m20 * c->m3, w_5 = fmaf(D->m21, c->m4, w_5a);
-  const float co_3a = D->m13 * w_2, co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3 = fmaf(D->m01, c->m4, w_3a);
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4 = fmaf(D->m11, c->m4, w_4a);
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5 = fmaf(D->m21, c->m4, w_5a);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6574,12 +6725,12 @@ static inline void ksl_constraint_crzf_fused(const ksl_SE3f_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_working_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6595,12 +6746,12 @@ static inline void ksl_working_ctxf_fused(const ksl_SE3f_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_working_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6616,12 +6767,12 @@ static inline void ksl_working_ctyf_fused(const ksl_SE3f_t *D, const ksl_coscrew
      barring over- and underflow. */
 static inline void ksl_working_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3 = fmaf(-D->m23, w_1, co_3a);
-  const float co_4a = D->m23 * w_0, co_4 = fmaf(-D->m03, w_2, co_4a);
-  const float co_5a = D->m03 * w_1, co_5 = fmaf(-D->m13, w_0, co_5a);
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3 = fmaf(-D->m23, w_1, co_3a);
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4 = fmaf(-D->m03, w_2, co_4a);
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5 = fmaf(-D->m13, w_0, co_5a);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -6636,9 +6787,9 @@ static inline void ksl_working_ctzf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6653,9 +6804,9 @@ static inline void ksl_working_crxf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6670,9 +6821,9 @@ static inline void ksl_working_cryf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -6694,77 +6845,30 @@ static inline void ksl_working_crzf_fused(const ksl_SE3f_t *D, const ksl_coscrew
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_fused(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
   self->w = self_3_new;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qq_fused(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0b = q1->y * q2->z, qo_0d = fma(-q1->z, q2->y, qo_0b),
-      qo_0e = fma(q1->x, q2->w, qo_0d), qo_0 = fma(q1->w, q2->x, qo_0e);
-  const double qo_1a = q1->z * q2->x, qo_1c = fma(-q1->x, q2->z, qo_1a),
-      qo_1e = fma(q1->y, q2->w, qo_1c), qo_1 = fma(q1->w, q2->y, qo_1e);
-  const double qo_2a = q1->x * q2->y, qo_2c = fma(-q1->y, q2->x, qo_2a),
-      qo_2e = fma(q1->z, q2->w, qo_2c), qo_2 = fma(q1->w, q2->z, qo_2e);
-  const double qo_3b = q1->x * q2->x, qo_3d = fma(q1->y, q2->y, qo_3b),
-      qo_3f = fma(q1->z, q2->z, qo_3d), qo_3 = fma(q1->w, q2->w, -qo_3f);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 3 add, 9 fma.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjq_fused(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0c = fma(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fma(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fma(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
-      qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 3 add, 9 fma.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0c = fma(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fma(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const double qo_1a = q1->x * q2->z, qo_1c = fma(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fma(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const double qo_2a = q1->y * q2->x, qo_2c = fma(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fma(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const double qo_3a = q1->x * q2->x, qo_3c = fma(q1->y, q2->y, qo_3a),
-      qo_3e = fma(q1->z, q2->z, qo_3c), qo_3 = fma(q1->w, q2->w, qo_3e);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_qq_fused(const double a, const ksl_quaternion_t *x,
+    ksl_quaternion_t *y) {
+  const double y_0_new = fma(a, x->x, y->x);
+  const double y_1_new = fma(a, x->y, y->y);
+  const double y_2_new = fma(a, x->z, y->z);
+  const double y_3_new = fma(a, x->w, y->w);
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+  y->w = y_3_new;
 }
 
 /* vo = R(q) v, |q| = 1.
@@ -6772,19 +6876,19 @@ static inline void ksl_product_qqconj_fused(const ksl_quaternion_t *q1,
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0 = fma(-q->z, v->y, c_0a);
-  const double c_1a = q->z * v->x, c_1 = fma(-q->x, v->z, c_1a);
-  const double c_2a = q->x * v->y, c_2 = fma(-q->y, v->x, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->y * t_2, turn_0c = fma(-q->z, t_1, turn_0a),
+  const double c_0a = KSL_MUL(q->y, v->z), c_0 = fma(-q->z, v->y, c_0a);
+  const double c_1a = KSL_MUL(q->z, v->x), c_1 = fma(-q->x, v->z, c_1a);
+  const double c_2a = KSL_MUL(q->x, v->y), c_2 = fma(-q->y, v->x, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0c = fma(-q->z, t_1, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->z * t_0, turn_1c = fma(-q->x, t_2, turn_1a),
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1c = fma(-q->x, t_2, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->x * t_1, turn_2c = fma(-q->y, t_0, turn_2a),
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2c = fma(-q->y, t_0, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -6799,19 +6903,19 @@ static inline void ksl_product_qv_fused(const ksl_quaternion_t *q, const ksl_vec
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qconjv_fused(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0 = fma(-q->y, v->z, c_0a);
-  const double c_1a = q->x * v->z, c_1 = fma(-q->z, v->x, c_1a);
-  const double c_2a = q->y * v->x, c_2 = fma(-q->x, v->y, c_2a);
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = q->z * t_1, turn_0c = fma(-q->y, t_2, turn_0a),
+  const double c_0a = KSL_MUL(q->z, v->y), c_0 = fma(-q->y, v->z, c_0a);
+  const double c_1a = KSL_MUL(q->x, v->z), c_1 = fma(-q->z, v->x, c_1a);
+  const double c_2a = KSL_MUL(q->y, v->x), c_2 = fma(-q->x, v->y, c_2a);
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0c = fma(-q->y, t_2, turn_0a),
       turn_0 = fma(q->w, t_0, turn_0c);
-  const double turn_1a = q->x * t_2, turn_1c = fma(-q->z, t_0, turn_1a),
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1c = fma(-q->z, t_0, turn_1a),
       turn_1 = fma(q->w, t_1, turn_1c);
-  const double turn_2a = q->y * t_0, turn_2c = fma(-q->x, t_1, turn_2a),
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2c = fma(-q->x, t_1, turn_2a),
       turn_2 = fma(q->w, t_2, turn_2c);
   const double vo_0 = v->x + turn_0;
   const double vo_1 = v->y + turn_1;
@@ -6819,6 +6923,670 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qq_fused(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0b = KSL_MUL(q1i->y, q2i->z), qo_0d = fma(-q1i->z, q2i->y, qo_0b),
+      qo_0e = fma(q1i->x, q2i->w, qo_0d), qo_0 = fma(q1i->w, q2i->x, qo_0e);
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1c = fma(-q1i->x, q2i->z, qo_1a),
+      qo_1e = fma(q1i->y, q2i->w, qo_1c), qo_1 = fma(q1i->w, q2i->y, qo_1e);
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
+      qo_2e = fma(q1i->z, q2i->w, qo_2c), qo_2 = fma(q1i->w, q2i->z, qo_2e);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
+      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qqconj_fused(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0c = fma(-q1i->w, q2i->x, qo_0a),
+      qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0f = fma(-q1i->y, q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1c = fma(-q1i->z, q2i->x, qo_1a),
+      qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1f = fma(-q1i->w, q2i->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2c = fma(-q1i->x, q2i->y, qo_2a),
+      qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2f = fma(-q1i->w, q2i->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3c = fma(q1i->y, q2i->y, qo_3a),
+      qo_3e = fma(q1i->z, q2i->z, qo_3c), qo_3 = fma(q1i->w, q2i->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qconjq_fused(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0c = fma(-q1i->x, q2i->w, qo_0a),
+      qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0f = fma(-q1i->y, q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1c = fma(-q1i->z, q2i->x, qo_1a),
+      qo_1d = KSL_MUL(q1i->w, q2i->y), qo_1f = fma(-q1i->y, q2i->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2c = fma(-q1i->x, q2i->y, qo_2a),
+      qo_2d = KSL_MUL(q1i->w, q2i->z), qo_2f = fma(-q1i->z, q2i->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3c = fma(q1i->y, q2i->y, qo_3a),
+      qo_3e = fma(q1i->z, q2i->z, qo_3c), qo_3 = fma(q1i->w, q2i->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqconj_fused(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0c = fma(-q1i->z, q2i->y, qo_0a),
+      qo_0e = fma(-q1i->x, q2i->w, qo_0c), qo_0 = fma(-q1i->w, q2i->x, qo_0e);
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1c = fma(-q1i->x, q2i->z, qo_1a),
+      qo_1e = fma(-q1i->y, q2i->w, qo_1c), qo_1 = fma(-q1i->w, q2i->y, qo_1e);
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
+      qo_2e = fma(-q1i->z, q2i->w, qo_2c), qo_2 = fma(-q1i->w, q2i->z, qo_2e);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
+      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0 = fma(dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1 = fma(-dci[0], qi->z, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2 = fma(dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->x, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0 = fma(-dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1 = fma(-dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0 = fma(-dci[0], qi->w, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1 = fma(dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2 = fma(-dci[0], qi->y, qo_2a);
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2 = fma(-dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->x, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqx_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(qi->w, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1 = fma(qi->z, dci[0], qo_1a);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2 = fma(-qi->y, dci[0], qo_2a);
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->x, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqxconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(-qi->w, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1 = fma(-qi->z, dci[0], qo_1a);
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2 = fma(qi->z, dci[1], qo_2a);
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqx_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqxconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->x, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0 = fma(dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1 = fma(dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2 = fma(-dci[0], qi->x, qo_2a);
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->y, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1 = fma(-dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2 = fma(-dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0 = fma(-dci[0], qi->z, qo_0a);
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1 = fma(-dci[0], qi->w, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2 = fma(dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0 = fma(-dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->y, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqy_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(-qi->z, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1 = fma(qi->w, dci[0], qo_1a);
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2 = fma(qi->z, dci[1], qo_2a);
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->y, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqyconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(qi->z, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1 = fma(-qi->w, dci[0], qo_1a);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2 = fma(-qi->x, dci[0], qo_2a);
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqy_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
+  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqyconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->y, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0 = fma(-dci[0], qi->y, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1 = fma(dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2 = fma(dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->z, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0 = fma(-dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2 = fma(-dci[1], qi->z, qo_2a);
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjq_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0 = fma(dci[1], qi->x, qo_0a);
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1 = fma(-dci[0], qi->x, qo_1a);
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2 = fma(-dci[0], qi->w, qo_2a);
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3 = fma(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjqconj_fused(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1 = fma(-dci[1], qi->y, qo_1a);
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->z, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqz_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(qi->y, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1 = fma(-qi->x, dci[0], qo_1a);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2 = fma(qi->w, dci[0], qo_2a);
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->z, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqzconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0 = fma(-qi->y, dci[0], qo_0a);
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1 = fma(qi->y, dci[1], qo_1a);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2 = fma(-qi->w, dci[0], qo_2a);
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqz_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
+  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqzconj_fused(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1c = fma(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2c = fma(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->z, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   4 mul, 8 fma, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qv_fused(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0c = fma(-qi->z, vi->y, qo_0a),
+      qo_0 = fma(qi->w, vi->x, qo_0c);
+  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1c = fma(-qi->x, vi->z, qo_1a),
+      qo_1 = fma(qi->w, vi->y, qo_1c);
+  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2c = fma(-qi->y, vi->x, qo_2a),
+      qo_2 = fma(qi->w, vi->z, qo_2c);
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c = fma(qi->y, vi->y, qo_3a),
+      qo_3e = fma(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   4 mul, 8 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjv_fused(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0c = fma(-qi->y, vi->z, qo_0a),
+      qo_0 = fma(qi->w, vi->x, qo_0c);
+  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1c = fma(-qi->z, vi->x, qo_1a),
+      qo_1 = fma(qi->w, vi->y, qo_1c);
+  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2c = fma(-qi->x, vi->y, qo_2a),
+      qo_2 = fma(qi->w, vi->z, qo_2c);
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c = fma(qi->y, vi->y, qo_3a),
+      qo_3 = fma(qi->z, vi->z, qo_3c);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 8 fma, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_vq_fused(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0b = KSL_MUL(vi->y, qi->z), qo_0d = fma(-vi->z, qi->y, qo_0b),
+      qo_0 = fma(vi->x, qi->w, qo_0d);
+  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1c = fma(-vi->x, qi->z, qo_1a),
+      qo_1 = fma(vi->y, qi->w, qo_1c);
+  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2c = fma(-vi->y, qi->x, qo_2a),
+      qo_2 = fma(vi->z, qi->w, qo_2c);
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c = fma(vi->y, qi->y, qo_3a),
+      qo_3e = fma(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 8 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_vqconj_fused(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0b = KSL_MUL(vi->z, qi->y), qo_0d = fma(-vi->y, qi->z, qo_0b),
+      qo_0 = fma(vi->x, qi->w, qo_0d);
+  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1c = fma(-vi->z, qi->x, qo_1a),
+      qo_1 = fma(vi->y, qi->w, qo_1c);
+  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2c = fma(-vi->x, qi->y, qo_2a),
+      qo_2 = fma(vi->z, qi->w, qo_2c);
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c = fma(vi->y, qi->y, qo_3a),
+      qo_3 = fma(vi->z, qi->z, qo_3c);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   1 mul, 3 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline double ksl_dot_qq_fused(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
+  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_c = fma(q1i->y, q2i->y, dot_a),
+      dot_e = fma(q1i->z, q2i->z, dot_c), dot = fma(q1i->w, q2i->w, dot_e);
+  return dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   7 mul, 4 add, 8 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_add_dpiToq_fused(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_c = KSL_MUL(0.5, dpi->z),
+      qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y), qi_0_new_e = KSL_MUL(0.5, dpi->y),
+      qi_0_new_g = fma(-qi_0_new_e, qi->z, qi_0_new_d),
+      qi_0_new_h = fma(qi_0_new_a, qi->w, qi_0_new_g), qi_0_new = qi_0_new_h + qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z),
+      qi_1_new_c = fma(-qi_0_new_c, qi->x, qi_1_new_a),
+      qi_1_new_e = fma(qi_0_new_e, qi->w, qi_1_new_c), qi_1_new = qi_1_new_e + qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x),
+      qi_2_new_c = fma(-qi_0_new_a, qi->y, qi_2_new_a),
+      qi_2_new_e = fma(qi_0_new_c, qi->w, qi_2_new_c), qi_2_new = qi_2_new_e + qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x),
+      qi_3_new_c = fma(qi_0_new_e, qi->y, qi_3_new_a),
+      qi_3_new_e = fma(qi_0_new_c, qi->z, qi_3_new_c), qi_3_new = qi->w - qi_3_new_e;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   7 mul, 4 add, 8 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_subtract_dpiFromq_fused(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_e = fma(-qi_0_new_c, qi->y, qi_0_new_b),
+      qi_0_new_f = KSL_MUL(0.5, dpi->x), qi_0_new_h = fma(-qi_0_new_f, qi->w, qi_0_new_e),
+      qi_0_new = qi_0_new_h + qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x),
+      qi_1_new_c = fma(-qi_0_new_f, qi->z, qi_1_new_a),
+      qi_1_new_e = fma(-qi_0_new_a, qi->w, qi_1_new_c), qi_1_new = qi_1_new_e + qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y),
+      qi_2_new_c = fma(-qi_0_new_a, qi->x, qi_2_new_a),
+      qi_2_new_e = fma(-qi_0_new_c, qi->w, qi_2_new_c), qi_2_new = qi_2_new_e + qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x),
+      qi_3_new_c = fma(qi_0_new_a, qi->y, qi_3_new_a),
+      qi_3_new_e = fma(qi_0_new_c, qi->z, qi_3_new_c), qi_3_new = qi_3_new_e + qi->w;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 16 fma.
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_omega_to_dquaternion_fused(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
+    ksl_quaternion_t *dqo) {
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0c = KSL_MUL(0.5, w->y),
+      dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0g = fma(-dqo_0e, qi->y, dqo_0d), dqo_0h = fma(dqo_0a, qi->w, dqo_0g),
+      dqo_0j = fma(-qi->x, qi->x, 1.0), dqo_0l = fma(-qi->y, qi->y, dqo_0j),
+      dqo_0n = fma(-qi->z, qi->z, dqo_0l), dqo_0p = fma(-qi->w, qi->w, dqo_0n),
+      dqo_0 = fma(qi->x, dqo_0p, dqo_0h);
+  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1c = fma(-dqo_0a, qi->z, dqo_1a),
+      dqo_1e = fma(dqo_0c, qi->w, dqo_1c), dqo_1 = fma(qi->y, dqo_0p, dqo_1e);
+  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2c = fma(-dqo_0c, qi->x, dqo_2a),
+      dqo_2e = fma(dqo_0e, qi->w, dqo_2c), dqo_2 = fma(qi->z, dqo_0p, dqo_2e);
+  const double dqo_3b = KSL_MUL(dqo_0a, qi->x), dqo_3d = fma(dqo_0c, qi->y, dqo_3b),
+      dqo_3f = fma(dqo_0e, qi->z, dqo_3d), dqo_3 = fma(qi->w, dqo_0p, -dqo_3f);
+  dqo->x = dqo_0;
+  dqo->y = dqo_1;
+  dqo->z = dqo_2;
+  dqo->w = dqo_3;
 }
 
 /* self = a self.
@@ -6826,77 +7594,30 @@ static inline void ksl_product_qconjv_fused(const ksl_quaternion_t *q, const ksl
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale_fused(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
-  const float self_3_new = self->w * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
+  const float self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
   self->w = self_3_new;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
-   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
-     and underflow. */
-static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1, const ksl_quaternionf_t *q2,
-    ksl_quaternionf_t *qo) {
-  const float qo_0b = q1->y * q2->z, qo_0d = fmaf(-q1->z, q2->y, qo_0b),
-      qo_0e = fmaf(q1->x, q2->w, qo_0d), qo_0 = fmaf(q1->w, q2->x, qo_0e);
-  const float qo_1a = q1->z * q2->x, qo_1c = fmaf(-q1->x, q2->z, qo_1a),
-      qo_1e = fmaf(q1->y, q2->w, qo_1c), qo_1 = fmaf(q1->w, q2->y, qo_1e);
-  const float qo_2a = q1->x * q2->y, qo_2c = fmaf(-q1->y, q2->x, qo_2a),
-      qo_2e = fmaf(q1->z, q2->w, qo_2c), qo_2 = fmaf(q1->w, q2->z, qo_2e);
-  const float qo_3b = q1->x * q2->x, qo_3d = fmaf(q1->y, q2->y, qo_3b),
-      qo_3f = fmaf(q1->z, q2->z, qo_3d), qo_3 = fmaf(q1->w, q2->w, -qo_3f);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 3 add, 9 fma.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->w * q2->x, qo_0c = fmaf(-q1->x, q2->w, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->w * q2->y,
-      qo_1f = fmaf(-q1->y, q2->w, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->w * q2->z,
-      qo_2f = fmaf(-q1->z, q2->w, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
-      qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 3 add, 9 fma.
-   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const float qo_0a = q1->x * q2->w, qo_0c = fmaf(-q1->w, q2->x, qo_0a), qo_0d = q1->z * q2->y,
-      qo_0f = fmaf(-q1->y, q2->z, qo_0d), qo_0 = qo_0c + qo_0f;
-  const float qo_1a = q1->x * q2->z, qo_1c = fmaf(-q1->z, q2->x, qo_1a), qo_1d = q1->y * q2->w,
-      qo_1f = fmaf(-q1->w, q2->y, qo_1d), qo_1 = qo_1c + qo_1f;
-  const float qo_2a = q1->y * q2->x, qo_2c = fmaf(-q1->x, q2->y, qo_2a), qo_2d = q1->z * q2->w,
-      qo_2f = fmaf(-q1->w, q2->z, qo_2d), qo_2 = qo_2c + qo_2f;
-  const float qo_3a = q1->x * q2->x, qo_3c = fmaf(q1->y, q2->y, qo_3a),
-      qo_3e = fmaf(q1->z, q2->z, qo_3c), qo_3 = fmaf(q1->w, q2->w, qo_3e);
-  qo->x = qo_0;
-  qo->y = qo_1;
-  qo->z = qo_2;
-  qo->w = qo_3;
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 fma.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_axpy_qqf_fused(const float a, const ksl_quaternionf_t *x,
+    ksl_quaternionf_t *y) {
+  const float y_0_new = fmaf(a, x->x, y->x);
+  const float y_1_new = fmaf(a, x->y, y->y);
+  const float y_2_new = fmaf(a, x->z, y->z);
+  const float y_3_new = fmaf(a, x->w, y->w);
+  y->x = y_0_new;
+  y->y = y_1_new;
+  y->z = y_2_new;
+  y->w = y_3_new;
 }
 
 /* vo = R(q) v, |q| = 1.
@@ -6904,19 +7625,19 @@ static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1,
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->y * v->z, c_0 = fmaf(-q->z, v->y, c_0a);
-  const float c_1a = q->z * v->x, c_1 = fmaf(-q->x, v->z, c_1a);
-  const float c_2a = q->x * v->y, c_2 = fmaf(-q->y, v->x, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->y * t_2, turn_0c = fmaf(-q->z, t_1, turn_0a),
+  const float c_0a = KSL_MULF(q->y, v->z), c_0 = fmaf(-q->z, v->y, c_0a);
+  const float c_1a = KSL_MULF(q->z, v->x), c_1 = fmaf(-q->x, v->z, c_1a);
+  const float c_2a = KSL_MULF(q->x, v->y), c_2 = fmaf(-q->y, v->x, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->y, t_2), turn_0c = fmaf(-q->z, t_1, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->z * t_0, turn_1c = fmaf(-q->x, t_2, turn_1a),
+  const float turn_1a = KSL_MULF(q->z, t_0), turn_1c = fmaf(-q->x, t_2, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->x * t_1, turn_2c = fmaf(-q->y, t_0, turn_2a),
+  const float turn_2a = KSL_MULF(q->x, t_1), turn_2c = fmaf(-q->y, t_0, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
@@ -6931,19 +7652,19 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *q, const ksl_v
    9 mul, 3 add, 9 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qconjvf_fused(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = q->z * v->y, c_0 = fmaf(-q->y, v->z, c_0a);
-  const float c_1a = q->x * v->z, c_1 = fmaf(-q->z, v->x, c_1a);
-  const float c_2a = q->y * v->x, c_2 = fmaf(-q->x, v->y, c_2a);
-  const float t_0 = 2.0f * c_0;
-  const float t_1 = 2.0f * c_1;
-  const float t_2 = 2.0f * c_2;
-  const float turn_0a = q->z * t_1, turn_0c = fmaf(-q->y, t_2, turn_0a),
+  const float c_0a = KSL_MULF(q->z, v->y), c_0 = fmaf(-q->y, v->z, c_0a);
+  const float c_1a = KSL_MULF(q->x, v->z), c_1 = fmaf(-q->z, v->x, c_1a);
+  const float c_2a = KSL_MULF(q->y, v->x), c_2 = fmaf(-q->x, v->y, c_2a);
+  const float t_0 = KSL_MULF(2.0f, c_0);
+  const float t_1 = KSL_MULF(2.0f, c_1);
+  const float t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0a = KSL_MULF(q->z, t_1), turn_0c = fmaf(-q->y, t_2, turn_0a),
       turn_0 = fmaf(q->w, t_0, turn_0c);
-  const float turn_1a = q->x * t_2, turn_1c = fmaf(-q->z, t_0, turn_1a),
+  const float turn_1a = KSL_MULF(q->x, t_2), turn_1c = fmaf(-q->z, t_0, turn_1a),
       turn_1 = fmaf(q->w, t_1, turn_1c);
-  const float turn_2a = q->y * t_0, turn_2c = fmaf(-q->x, t_1, turn_2a),
+  const float turn_2a = KSL_MULF(q->y, t_0), turn_2c = fmaf(-q->x, t_1, turn_2a),
       turn_2 = fmaf(q->w, t_2, turn_2c);
   const float vo_0 = v->x + turn_0;
   const float vo_1 = v->y + turn_1;
@@ -6951,6 +7672,670 @@ static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *q, const k
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
+}
+
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float qo_0b = KSL_MULF(q1i->y, q2i->z), qo_0d = fmaf(-q1i->z, q2i->y, qo_0b),
+      qo_0e = fmaf(q1i->x, q2i->w, qo_0d), qo_0 = fmaf(q1i->w, q2i->x, qo_0e);
+  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1c = fmaf(-q1i->x, q2i->z, qo_1a),
+      qo_1e = fmaf(q1i->y, q2i->w, qo_1c), qo_1 = fmaf(q1i->w, q2i->y, qo_1e);
+  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
+      qo_2e = fmaf(q1i->z, q2i->w, qo_2c), qo_2 = fmaf(q1i->w, q2i->z, qo_2e);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
+      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qqconjf_fused(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0c = fmaf(-q1i->w, q2i->x, qo_0a),
+      qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0f = fmaf(-q1i->y, q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1c = fmaf(-q1i->z, q2i->x, qo_1a),
+      qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1f = fmaf(-q1i->w, q2i->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2c = fmaf(-q1i->x, q2i->y, qo_2a),
+      qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2f = fmaf(-q1i->w, q2i->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3c = fmaf(q1i->y, q2i->y, qo_3a),
+      qo_3e = fmaf(q1i->z, q2i->z, qo_3c), qo_3 = fmaf(q1i->w, q2i->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 3 add, 9 fma.
+   Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->w, q2i->x), qo_0c = fmaf(-q1i->x, q2i->w, qo_0a),
+      qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0f = fmaf(-q1i->y, q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1c = fmaf(-q1i->z, q2i->x, qo_1a),
+      qo_1d = KSL_MULF(q1i->w, q2i->y), qo_1f = fmaf(-q1i->y, q2i->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2c = fmaf(-q1i->x, q2i->y, qo_2a),
+      qo_2d = KSL_MULF(q1i->w, q2i->z), qo_2f = fmaf(-q1i->z, q2i->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3c = fmaf(q1i->y, q2i->y, qo_3a),
+      qo_3e = fmaf(q1i->z, q2i->z, qo_3c), qo_3 = fmaf(q1i->w, q2i->w, qo_3e);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 12 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqconjf_fused(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(q1i->y, q2i->z), qo_0c = fmaf(-q1i->z, q2i->y, qo_0a),
+      qo_0e = fmaf(-q1i->x, q2i->w, qo_0c), qo_0 = fmaf(-q1i->w, q2i->x, qo_0e);
+  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1c = fmaf(-q1i->x, q2i->z, qo_1a),
+      qo_1e = fmaf(-q1i->y, q2i->w, qo_1c), qo_1 = fmaf(-q1i->w, q2i->y, qo_1e);
+  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
+      qo_2e = fmaf(-q1i->z, q2i->w, qo_2c), qo_2 = fmaf(-q1i->w, q2i->z, qo_2e);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
+      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0 = fmaf(dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1 = fmaf(-dci[0], qi->z, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2 = fmaf(dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->x, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxconjqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0 = fmaf(-dci[0], qi->w, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1 = fmaf(dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2 = fmaf(-dci[0], qi->y, qo_2a);
+  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qxconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->x, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqxf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(qi->w, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1 = fmaf(qi->z, dci[0], qo_1a);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2 = fmaf(-qi->y, dci[0], qo_2a);
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->x, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqxconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(-qi->w, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1 = fmaf(-qi->z, dci[0], qo_1a);
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2 = fmaf(qi->z, dci[1], qo_2a);
+  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqxf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
+  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqxconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->x, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0 = fmaf(dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1 = fmaf(dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2 = fmaf(-dci[0], qi->x, qo_2a);
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->y, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyconjqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0 = fmaf(-dci[0], qi->z, qo_0a);
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1 = fmaf(-dci[0], qi->w, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2 = fmaf(dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qyconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->y, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqyf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(-qi->z, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1 = fmaf(qi->w, dci[0], qo_1a);
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2 = fmaf(qi->z, dci[1], qo_2a);
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->y, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqyconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(qi->z, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1 = fmaf(-qi->w, dci[0], qo_1a);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2 = fmaf(-qi->x, dci[0], qo_2a);
+  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqyf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
+  const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqyconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->y, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0 = fmaf(-dci[0], qi->y, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1 = fmaf(dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2 = fmaf(dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->z, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
+  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzconjqf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0 = fmaf(dci[1], qi->x, qo_0a);
+  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1 = fmaf(-dci[0], qi->x, qo_1a);
+  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2 = fmaf(-dci[0], qi->w, qo_2a);
+  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3 = fmaf(dci[1], qi->w, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qzconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->z, qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqzf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(qi->y, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1 = fmaf(-qi->x, dci[0], qo_1a);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2 = fmaf(qi->w, dci[0], qo_2a);
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->z, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qqzconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0 = fmaf(-qi->y, dci[0], qo_0a);
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1 = fmaf(qi->y, dci[1], qo_1a);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2 = fmaf(-qi->w, dci[0], qo_2a);
+  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 1 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqzf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
+  const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
+  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   4 mul, 4 fma, 2 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjqzconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1c = fmaf(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2c = fmaf(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->z, dci[0], qo_3a);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   4 mul, 8 fma, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->y, vi->z), qo_0c = fmaf(-qi->z, vi->y, qo_0a),
+      qo_0 = fmaf(qi->w, vi->x, qo_0c);
+  const float qo_1a = KSL_MULF(qi->z, vi->x), qo_1c = fmaf(-qi->x, vi->z, qo_1a),
+      qo_1 = fmaf(qi->w, vi->y, qo_1c);
+  const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2c = fmaf(-qi->y, vi->x, qo_2a),
+      qo_2 = fmaf(qi->w, vi->z, qo_2c);
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c = fmaf(qi->y, vi->y, qo_3a),
+      qo_3e = fmaf(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   4 mul, 8 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_qconjvf_fused(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0a = KSL_MULF(qi->z, vi->y), qo_0c = fmaf(-qi->y, vi->z, qo_0a),
+      qo_0 = fmaf(qi->w, vi->x, qo_0c);
+  const float qo_1a = KSL_MULF(qi->x, vi->z), qo_1c = fmaf(-qi->z, vi->x, qo_1a),
+      qo_1 = fmaf(qi->w, vi->y, qo_1c);
+  const float qo_2a = KSL_MULF(qi->y, vi->x), qo_2c = fmaf(-qi->x, vi->y, qo_2a),
+      qo_2 = fmaf(qi->w, vi->z, qo_2c);
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c = fmaf(qi->y, vi->y, qo_3a),
+      qo_3 = fmaf(qi->z, vi->z, qo_3c);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 8 fma, 1 neg.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_vqf_fused(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0b = KSL_MULF(vi->y, qi->z), qo_0d = fmaf(-vi->z, qi->y, qo_0b),
+      qo_0 = fmaf(vi->x, qi->w, qo_0d);
+  const float qo_1a = KSL_MULF(vi->z, qi->x), qo_1c = fmaf(-vi->x, qi->z, qo_1a),
+      qo_1 = fmaf(vi->y, qi->w, qo_1c);
+  const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2c = fmaf(-vi->y, qi->x, qo_2a),
+      qo_2 = fmaf(vi->z, qi->w, qo_2c);
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c = fmaf(vi->y, qi->y, qo_3a),
+      qo_3e = fmaf(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   4 mul, 8 fma.
+   Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_product_vqconjf_fused(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const float qo_0b = KSL_MULF(vi->z, qi->y), qo_0d = fmaf(-vi->y, qi->z, qo_0b),
+      qo_0 = fmaf(vi->x, qi->w, qo_0d);
+  const float qo_1a = KSL_MULF(vi->x, qi->z), qo_1c = fmaf(-vi->z, qi->x, qo_1a),
+      qo_1 = fmaf(vi->y, qi->w, qo_1c);
+  const float qo_2a = KSL_MULF(vi->y, qi->x), qo_2c = fmaf(-vi->x, qi->y, qo_2a),
+      qo_2 = fmaf(vi->z, qi->w, qo_2c);
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c = fmaf(vi->y, qi->y, qo_3a),
+      qo_3 = fmaf(vi->z, qi->z, qo_3c);
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   1 mul, 3 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline float ksl_dot_qqf_fused(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i) {
+  const float dot_a = KSL_MULF(q1i->x, q2i->x), dot_c = fmaf(q1i->y, q2i->y, dot_a),
+      dot_e = fmaf(q1i->z, q2i->z, dot_c), dot = fmaf(q1i->w, q2i->w, dot_e);
+  return dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   7 mul, 4 add, 8 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_add_dpiToqf_fused(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_c = KSL_MULF(0.5f, dpi->z),
+      qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y), qi_0_new_e = KSL_MULF(0.5f, dpi->y),
+      qi_0_new_g = fmaf(-qi_0_new_e, qi->z, qi_0_new_d),
+      qi_0_new_h = fmaf(qi_0_new_a, qi->w, qi_0_new_g), qi_0_new = qi_0_new_h + qi->x;
+  const float qi_1_new_a = KSL_MULF(qi_0_new_a, qi->z),
+      qi_1_new_c = fmaf(-qi_0_new_c, qi->x, qi_1_new_a),
+      qi_1_new_e = fmaf(qi_0_new_e, qi->w, qi_1_new_c), qi_1_new = qi_1_new_e + qi->y;
+  const float qi_2_new_a = KSL_MULF(qi_0_new_e, qi->x),
+      qi_2_new_c = fmaf(-qi_0_new_a, qi->y, qi_2_new_a),
+      qi_2_new_e = fmaf(qi_0_new_c, qi->w, qi_2_new_c), qi_2_new = qi_2_new_e + qi->z;
+  const float qi_3_new_a = KSL_MULF(qi_0_new_a, qi->x),
+      qi_3_new_c = fmaf(qi_0_new_e, qi->y, qi_3_new_a),
+      qi_3_new_e = fmaf(qi_0_new_c, qi->z, qi_3_new_c), qi_3_new = qi->w - qi_3_new_e;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   7 mul, 4 add, 8 fma.
+   Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_subtract_dpiFromqf_fused(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_e = fmaf(-qi_0_new_c, qi->y, qi_0_new_b),
+      qi_0_new_f = KSL_MULF(0.5f, dpi->x), qi_0_new_h = fmaf(-qi_0_new_f, qi->w, qi_0_new_e),
+      qi_0_new = qi_0_new_h + qi->x;
+  const float qi_1_new_a = KSL_MULF(qi_0_new_c, qi->x),
+      qi_1_new_c = fmaf(-qi_0_new_f, qi->z, qi_1_new_a),
+      qi_1_new_e = fmaf(-qi_0_new_a, qi->w, qi_1_new_c), qi_1_new = qi_1_new_e + qi->y;
+  const float qi_2_new_a = KSL_MULF(qi_0_new_f, qi->y),
+      qi_2_new_c = fmaf(-qi_0_new_a, qi->x, qi_2_new_a),
+      qi_2_new_e = fmaf(-qi_0_new_c, qi->w, qi_2_new_c), qi_2_new = qi_2_new_e + qi->z;
+  const float qi_3_new_a = KSL_MULF(qi_0_new_f, qi->x),
+      qi_3_new_c = fmaf(qi_0_new_a, qi->y, qi_3_new_a),
+      qi_3_new_e = fmaf(qi_0_new_c, qi->z, qi_3_new_c), qi_3_new = qi_3_new_e + qi->w;
+  qi->x = qi_0_new;
+  qi->y = qi_1_new;
+  qi->z = qi_2_new;
+  qi->w = qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   7 mul, 16 fma.
+   Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *dqo) {
+  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0c = KSL_MULF(0.5f, w->y),
+      dqo_0d = KSL_MULF(dqo_0c, qi->z), dqo_0e = KSL_MULF(0.5f, w->z),
+      dqo_0g = fmaf(-dqo_0e, qi->y, dqo_0d), dqo_0h = fmaf(dqo_0a, qi->w, dqo_0g),
+      dqo_0j = fmaf(-qi->x, qi->x, 1.0f), dqo_0l = fmaf(-qi->y, qi->y, dqo_0j),
+      dqo_0n = fmaf(-qi->z, qi->z, dqo_0l), dqo_0p = fmaf(-qi->w, qi->w, dqo_0n),
+      dqo_0 = fmaf(qi->x, dqo_0p, dqo_0h);
+  const float dqo_1a = KSL_MULF(dqo_0e, qi->x), dqo_1c = fmaf(-dqo_0a, qi->z, dqo_1a),
+      dqo_1e = fmaf(dqo_0c, qi->w, dqo_1c), dqo_1 = fmaf(qi->y, dqo_0p, dqo_1e);
+  const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2c = fmaf(-dqo_0c, qi->x, dqo_2a),
+      dqo_2e = fmaf(dqo_0e, qi->w, dqo_2c), dqo_2 = fmaf(qi->z, dqo_0p, dqo_2e);
+  const float dqo_3b = KSL_MULF(dqo_0a, qi->x), dqo_3d = fmaf(dqo_0c, qi->y, dqo_3b),
+      dqo_3f = fmaf(dqo_0e, qi->z, dqo_3d), dqo_3 = fmaf(qi->w, dqo_0p, -dqo_3f);
+  dqo->x = dqo_0;
+  dqo->y = dqo_1;
+  dqo->z = dqo_2;
+  dqo->w = dqo_3;
 }
 
 #endif
@@ -6976,51 +8361,54 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_2b = fma(-self->m02, self->m02, 1.0),
       defect_2d = fma(-self->m12, self->m12, defect_2b),
       defect_2 = fma(-self->m22, self->m22, defect_2d);
-  const double defect_3a = self->m00 * self->m01, defect_3c = fma(self->m10, self->m11, defect_3a),
+  const double defect_3a = KSL_MUL(self->m00, self->m01),
+      defect_3c = fma(self->m10, self->m11, defect_3a),
       defect_3e = fma(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = self->m00 * self->m02, defect_4c = fma(self->m10, self->m12, defect_4a),
+  const double defect_4a = KSL_MUL(self->m00, self->m02),
+      defect_4c = fma(self->m10, self->m12, defect_4a),
       defect_4e = fma(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = self->m01 * self->m02, defect_5c = fma(self->m11, self->m12, defect_5a),
+  const double defect_5a = KSL_MUL(self->m01, self->m02),
+      defect_5c = fma(self->m11, self->m12, defect_5a),
       defect_5e = fma(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double self_00_new_a = self->m00 * correction_0,
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double self_00_new_a = KSL_MUL(self->m00, correction_0),
       self_00_new_c = fma(self->m01, correction_3, self_00_new_a),
       self_00_new_e = fma(self->m02, correction_4, self_00_new_c),
       self_00_new = self->m00 + self_00_new_e;
-  const double self_01_new_a = self->m00 * correction_3,
+  const double self_01_new_a = KSL_MUL(self->m00, correction_3),
       self_01_new_c = fma(self->m01, correction_1, self_01_new_a),
       self_01_new_e = fma(self->m02, correction_5, self_01_new_c),
       self_01_new = self_01_new_e + self->m01;
-  const double self_02_new_a = self->m00 * correction_4,
+  const double self_02_new_a = KSL_MUL(self->m00, correction_4),
       self_02_new_c = fma(self->m01, correction_5, self_02_new_a),
       self_02_new_e = fma(self->m02, correction_2, self_02_new_c),
       self_02_new = self_02_new_e + self->m02;
-  const double self_10_new_a = self->m10 * correction_0,
+  const double self_10_new_a = KSL_MUL(self->m10, correction_0),
       self_10_new_c = fma(self->m11, correction_3, self_10_new_a),
       self_10_new_e = fma(self->m12, correction_4, self_10_new_c),
       self_10_new = self->m10 + self_10_new_e;
-  const double self_11_new_a = self->m10 * correction_3,
+  const double self_11_new_a = KSL_MUL(self->m10, correction_3),
       self_11_new_c = fma(self->m11, correction_1, self_11_new_a),
       self_11_new_e = fma(self->m12, correction_5, self_11_new_c),
       self_11_new = self_11_new_e + self->m11;
-  const double self_12_new_a = self->m10 * correction_4,
+  const double self_12_new_a = KSL_MUL(self->m10, correction_4),
       self_12_new_c = fma(self->m11, correction_5, self_12_new_a),
       self_12_new_e = fma(self->m12, correction_2, self_12_new_c),
       self_12_new = self_12_new_e + self->m12;
-  const double self_20_new_a = self->m20 * correction_0,
+  const double self_20_new_a = KSL_MUL(self->m20, correction_0),
       self_20_new_c = fma(self->m21, correction_3, self_20_new_a),
       self_20_new_e = fma(self->m22, correction_4, self_20_new_c),
       self_20_new = self->m20 + self_20_new_e;
-  const double self_21_new_a = self->m20 * correction_3,
+  const double self_21_new_a = KSL_MUL(self->m20, correction_3),
       self_21_new_c = fma(self->m21, correction_1, self_21_new_a),
       self_21_new_e = fma(self->m22, correction_5, self_21_new_c),
       self_21_new = self_21_new_e + self->m21;
-  const double self_22_new_a = self->m20 * correction_4,
+  const double self_22_new_a = KSL_MUL(self->m20, correction_4),
       self_22_new_c = fma(self->m21, correction_5, self_22_new_a),
       self_22_new_e = fma(self->m22, correction_2, self_22_new_c),
       self_22_new = self_22_new_e + self->m22;
@@ -7047,35 +8435,35 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
       defect_1 = fma(-R->m21, R->m21, defect_1d);
   const double defect_2b = fma(-R->m02, R->m02, 1.0), defect_2d = fma(-R->m12, R->m12, defect_2b),
       defect_2 = fma(-R->m22, R->m22, defect_2d);
-  const double defect_3a = R->m00 * R->m01, defect_3c = fma(R->m10, R->m11, defect_3a),
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c = fma(R->m10, R->m11, defect_3a),
       defect_3e = fma(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = R->m00 * R->m02, defect_4c = fma(R->m10, R->m12, defect_4a),
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c = fma(R->m10, R->m12, defect_4a),
       defect_4e = fma(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = R->m01 * R->m02, defect_5c = fma(R->m11, R->m12, defect_5a),
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c = fma(R->m11, R->m12, defect_5a),
       defect_5e = fma(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
-  const double correction_0 = 0.5 * defect_0;
-  const double correction_1 = 0.5 * defect_1;
-  const double correction_2 = 0.5 * defect_2;
-  const double correction_3 = 0.5 * defect_3;
-  const double correction_4 = 0.5 * defect_4;
-  const double correction_5 = 0.5 * defect_5;
-  const double Ro_00a = R->m00 * correction_0, Ro_00c = fma(R->m01, correction_3, Ro_00a),
+  const double correction_0 = KSL_MUL(0.5, defect_0);
+  const double correction_1 = KSL_MUL(0.5, defect_1);
+  const double correction_2 = KSL_MUL(0.5, defect_2);
+  const double correction_3 = KSL_MUL(0.5, defect_3);
+  const double correction_4 = KSL_MUL(0.5, defect_4);
+  const double correction_5 = KSL_MUL(0.5, defect_5);
+  const double Ro_00a = KSL_MUL(R->m00, correction_0), Ro_00c = fma(R->m01, correction_3, Ro_00a),
       Ro_00e = fma(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
-  const double Ro_01a = R->m00 * correction_3, Ro_01c = fma(R->m01, correction_1, Ro_01a),
+  const double Ro_01a = KSL_MUL(R->m00, correction_3), Ro_01c = fma(R->m01, correction_1, Ro_01a),
       Ro_01e = fma(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
-  const double Ro_02a = R->m00 * correction_4, Ro_02c = fma(R->m01, correction_5, Ro_02a),
+  const double Ro_02a = KSL_MUL(R->m00, correction_4), Ro_02c = fma(R->m01, correction_5, Ro_02a),
       Ro_02e = fma(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
-  const double Ro_10a = R->m10 * correction_0, Ro_10c = fma(R->m11, correction_3, Ro_10a),
+  const double Ro_10a = KSL_MUL(R->m10, correction_0), Ro_10c = fma(R->m11, correction_3, Ro_10a),
       Ro_10e = fma(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
-  const double Ro_11a = R->m10 * correction_3, Ro_11c = fma(R->m11, correction_1, Ro_11a),
+  const double Ro_11a = KSL_MUL(R->m10, correction_3), Ro_11c = fma(R->m11, correction_1, Ro_11a),
       Ro_11e = fma(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
-  const double Ro_12a = R->m10 * correction_4, Ro_12c = fma(R->m11, correction_5, Ro_12a),
+  const double Ro_12a = KSL_MUL(R->m10, correction_4), Ro_12c = fma(R->m11, correction_5, Ro_12a),
       Ro_12e = fma(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
-  const double Ro_20a = R->m20 * correction_0, Ro_20c = fma(R->m21, correction_3, Ro_20a),
+  const double Ro_20a = KSL_MUL(R->m20, correction_0), Ro_20c = fma(R->m21, correction_3, Ro_20a),
       Ro_20e = fma(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
-  const double Ro_21a = R->m20 * correction_3, Ro_21c = fma(R->m21, correction_1, Ro_21a),
+  const double Ro_21a = KSL_MUL(R->m20, correction_3), Ro_21c = fma(R->m21, correction_1, Ro_21a),
       Ro_21e = fma(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
-  const double Ro_22a = R->m20 * correction_4, Ro_22c = fma(R->m21, correction_5, Ro_22a),
+  const double Ro_22a = KSL_MUL(R->m20, correction_4), Ro_22c = fma(R->m21, correction_5, Ro_22a),
       Ro_22e = fma(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -7103,51 +8491,54 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_2b = fmaf(-self->m02, self->m02, 1.0f),
       defect_2d = fmaf(-self->m12, self->m12, defect_2b),
       defect_2 = fmaf(-self->m22, self->m22, defect_2d);
-  const float defect_3a = self->m00 * self->m01, defect_3c = fmaf(self->m10, self->m11, defect_3a),
+  const float defect_3a = KSL_MULF(self->m00, self->m01),
+      defect_3c = fmaf(self->m10, self->m11, defect_3a),
       defect_3e = fmaf(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = self->m00 * self->m02, defect_4c = fmaf(self->m10, self->m12, defect_4a),
+  const float defect_4a = KSL_MULF(self->m00, self->m02),
+      defect_4c = fmaf(self->m10, self->m12, defect_4a),
       defect_4e = fmaf(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = self->m01 * self->m02, defect_5c = fmaf(self->m11, self->m12, defect_5a),
+  const float defect_5a = KSL_MULF(self->m01, self->m02),
+      defect_5c = fmaf(self->m11, self->m12, defect_5a),
       defect_5e = fmaf(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float self_00_new_a = self->m00 * correction_0,
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float self_00_new_a = KSL_MULF(self->m00, correction_0),
       self_00_new_c = fmaf(self->m01, correction_3, self_00_new_a),
       self_00_new_e = fmaf(self->m02, correction_4, self_00_new_c),
       self_00_new = self->m00 + self_00_new_e;
-  const float self_01_new_a = self->m00 * correction_3,
+  const float self_01_new_a = KSL_MULF(self->m00, correction_3),
       self_01_new_c = fmaf(self->m01, correction_1, self_01_new_a),
       self_01_new_e = fmaf(self->m02, correction_5, self_01_new_c),
       self_01_new = self_01_new_e + self->m01;
-  const float self_02_new_a = self->m00 * correction_4,
+  const float self_02_new_a = KSL_MULF(self->m00, correction_4),
       self_02_new_c = fmaf(self->m01, correction_5, self_02_new_a),
       self_02_new_e = fmaf(self->m02, correction_2, self_02_new_c),
       self_02_new = self_02_new_e + self->m02;
-  const float self_10_new_a = self->m10 * correction_0,
+  const float self_10_new_a = KSL_MULF(self->m10, correction_0),
       self_10_new_c = fmaf(self->m11, correction_3, self_10_new_a),
       self_10_new_e = fmaf(self->m12, correction_4, self_10_new_c),
       self_10_new = self->m10 + self_10_new_e;
-  const float self_11_new_a = self->m10 * correction_3,
+  const float self_11_new_a = KSL_MULF(self->m10, correction_3),
       self_11_new_c = fmaf(self->m11, correction_1, self_11_new_a),
       self_11_new_e = fmaf(self->m12, correction_5, self_11_new_c),
       self_11_new = self_11_new_e + self->m11;
-  const float self_12_new_a = self->m10 * correction_4,
+  const float self_12_new_a = KSL_MULF(self->m10, correction_4),
       self_12_new_c = fmaf(self->m11, correction_5, self_12_new_a),
       self_12_new_e = fmaf(self->m12, correction_2, self_12_new_c),
       self_12_new = self_12_new_e + self->m12;
-  const float self_20_new_a = self->m20 * correction_0,
+  const float self_20_new_a = KSL_MULF(self->m20, correction_0),
       self_20_new_c = fmaf(self->m21, correction_3, self_20_new_a),
       self_20_new_e = fmaf(self->m22, correction_4, self_20_new_c),
       self_20_new = self->m20 + self_20_new_e;
-  const float self_21_new_a = self->m20 * correction_3,
+  const float self_21_new_a = KSL_MULF(self->m20, correction_3),
       self_21_new_c = fmaf(self->m21, correction_1, self_21_new_a),
       self_21_new_e = fmaf(self->m22, correction_5, self_21_new_c),
       self_21_new = self_21_new_e + self->m21;
-  const float self_22_new_a = self->m20 * correction_4,
+  const float self_22_new_a = KSL_MULF(self->m20, correction_4),
       self_22_new_c = fmaf(self->m21, correction_5, self_22_new_a),
       self_22_new_e = fmaf(self->m22, correction_2, self_22_new_c),
       self_22_new = self_22_new_e + self->m22;
@@ -7174,35 +8565,35 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
       defect_1 = fmaf(-R->m21, R->m21, defect_1d);
   const float defect_2b = fmaf(-R->m02, R->m02, 1.0f), defect_2d = fmaf(-R->m12, R->m12, defect_2b),
       defect_2 = fmaf(-R->m22, R->m22, defect_2d);
-  const float defect_3a = R->m00 * R->m01, defect_3c = fmaf(R->m10, R->m11, defect_3a),
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c = fmaf(R->m10, R->m11, defect_3a),
       defect_3e = fmaf(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = R->m00 * R->m02, defect_4c = fmaf(R->m10, R->m12, defect_4a),
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c = fmaf(R->m10, R->m12, defect_4a),
       defect_4e = fmaf(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = R->m01 * R->m02, defect_5c = fmaf(R->m11, R->m12, defect_5a),
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c = fmaf(R->m11, R->m12, defect_5a),
       defect_5e = fmaf(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
-  const float correction_0 = 0.5f * defect_0;
-  const float correction_1 = 0.5f * defect_1;
-  const float correction_2 = 0.5f * defect_2;
-  const float correction_3 = 0.5f * defect_3;
-  const float correction_4 = 0.5f * defect_4;
-  const float correction_5 = 0.5f * defect_5;
-  const float Ro_00a = R->m00 * correction_0, Ro_00c = fmaf(R->m01, correction_3, Ro_00a),
+  const float correction_0 = KSL_MULF(0.5f, defect_0);
+  const float correction_1 = KSL_MULF(0.5f, defect_1);
+  const float correction_2 = KSL_MULF(0.5f, defect_2);
+  const float correction_3 = KSL_MULF(0.5f, defect_3);
+  const float correction_4 = KSL_MULF(0.5f, defect_4);
+  const float correction_5 = KSL_MULF(0.5f, defect_5);
+  const float Ro_00a = KSL_MULF(R->m00, correction_0), Ro_00c = fmaf(R->m01, correction_3, Ro_00a),
       Ro_00e = fmaf(R->m02, correction_4, Ro_00c), Ro_00 = R->m00 + Ro_00e;
-  const float Ro_01a = R->m00 * correction_3, Ro_01c = fmaf(R->m01, correction_1, Ro_01a),
+  const float Ro_01a = KSL_MULF(R->m00, correction_3), Ro_01c = fmaf(R->m01, correction_1, Ro_01a),
       Ro_01e = fmaf(R->m02, correction_5, Ro_01c), Ro_01 = Ro_01e + R->m01;
-  const float Ro_02a = R->m00 * correction_4, Ro_02c = fmaf(R->m01, correction_5, Ro_02a),
+  const float Ro_02a = KSL_MULF(R->m00, correction_4), Ro_02c = fmaf(R->m01, correction_5, Ro_02a),
       Ro_02e = fmaf(R->m02, correction_2, Ro_02c), Ro_02 = Ro_02e + R->m02;
-  const float Ro_10a = R->m10 * correction_0, Ro_10c = fmaf(R->m11, correction_3, Ro_10a),
+  const float Ro_10a = KSL_MULF(R->m10, correction_0), Ro_10c = fmaf(R->m11, correction_3, Ro_10a),
       Ro_10e = fmaf(R->m12, correction_4, Ro_10c), Ro_10 = R->m10 + Ro_10e;
-  const float Ro_11a = R->m10 * correction_3, Ro_11c = fmaf(R->m11, correction_1, Ro_11a),
+  const float Ro_11a = KSL_MULF(R->m10, correction_3), Ro_11c = fmaf(R->m11, correction_1, Ro_11a),
       Ro_11e = fmaf(R->m12, correction_5, Ro_11c), Ro_11 = Ro_11e + R->m11;
-  const float Ro_12a = R->m10 * correction_4, Ro_12c = fmaf(R->m11, correction_5, Ro_12a),
+  const float Ro_12a = KSL_MULF(R->m10, correction_4), Ro_12c = fmaf(R->m11, correction_5, Ro_12a),
       Ro_12e = fmaf(R->m12, correction_2, Ro_12c), Ro_12 = Ro_12e + R->m12;
-  const float Ro_20a = R->m20 * correction_0, Ro_20c = fmaf(R->m21, correction_3, Ro_20a),
+  const float Ro_20a = KSL_MULF(R->m20, correction_0), Ro_20c = fmaf(R->m21, correction_3, Ro_20a),
       Ro_20e = fmaf(R->m22, correction_4, Ro_20c), Ro_20 = R->m20 + Ro_20e;
-  const float Ro_21a = R->m20 * correction_3, Ro_21c = fmaf(R->m21, correction_1, Ro_21a),
+  const float Ro_21a = KSL_MULF(R->m20, correction_3), Ro_21c = fmaf(R->m21, correction_1, Ro_21a),
       Ro_21e = fmaf(R->m22, correction_5, Ro_21c), Ro_21 = Ro_21e + R->m21;
-  const float Ro_22a = R->m20 * correction_4, Ro_22c = fmaf(R->m21, correction_5, Ro_22a),
+  const float Ro_22a = KSL_MULF(R->m20, correction_4), Ro_22c = fmaf(R->m21, correction_5, Ro_22a),
       Ro_22e = fmaf(R->m22, correction_2, Ro_22c), Ro_22 = Ro_22e + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
@@ -7229,16 +8620,16 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_scale_fused(ksl_inertia_t *self, const double a) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -7318,12 +8709,12 @@ static inline void ksl_subtract_BB_fused(const ksl_inertia_t *B1, const ksl_iner
      formula; barring over- and underflow. */
 static inline void ksl_inertia_from_com_fused(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
@@ -7350,18 +8741,21 @@ static inline void ksl_inertia_from_com_fused(const double m, const ksl_vec3_t *
      barring over- and underflow. */
 static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co) {
-  const double co_0b = B->h.z * s->m4, co_0d = fma(-B->h.y, s->m5, co_0b),
+  const double co_0b = KSL_MUL(B->h.z, s->m4), co_0d = fma(-B->h.y, s->m5, co_0b),
       co_0 = fma(B->m, s->m0, co_0d);
-  const double co_1b = B->h.x * s->m5, co_1d = fma(-B->h.z, s->m3, co_1b),
+  const double co_1b = KSL_MUL(B->h.x, s->m5), co_1d = fma(-B->h.z, s->m3, co_1b),
       co_1 = fma(B->m, s->m1, co_1d);
-  const double co_2b = B->h.y * s->m3, co_2d = fma(-B->h.x, s->m4, co_2b),
+  const double co_2b = KSL_MUL(B->h.y, s->m3), co_2d = fma(-B->h.x, s->m4, co_2b),
       co_2 = fma(B->m, s->m2, co_2d);
-  const double co_3a = B->h.y * s->m2, co_3c = fma(-B->h.z, s->m1, co_3a), co_3d = B->xx * s->m3,
-      co_3f = fma(B->xy, s->m4, co_3d), co_3h = fma(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4c = fma(-B->h.x, s->m2, co_4a), co_4d = B->yy * s->m4,
-      co_4f = fma(B->xy, s->m3, co_4d), co_4h = fma(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5c = fma(-B->h.y, s->m0, co_5a), co_5d = B->zz * s->m5,
-      co_5f = fma(B->xz, s->m3, co_5d), co_5h = fma(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3c = fma(-B->h.z, s->m1, co_3a),
+      co_3d = KSL_MUL(B->xx, s->m3), co_3f = fma(B->xy, s->m4, co_3d),
+      co_3h = fma(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4c = fma(-B->h.x, s->m2, co_4a),
+      co_4d = KSL_MUL(B->yy, s->m4), co_4f = fma(B->xy, s->m3, co_4d),
+      co_4h = fma(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5c = fma(-B->h.y, s->m0, co_5a),
+      co_5d = KSL_MUL(B->zz, s->m5), co_5f = fma(B->xz, s->m3, co_5d),
+      co_5h = fma(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7377,19 +8771,23 @@ static inline void ksl_product_Bs_fused(const ksl_inertia_t *B, const ksl_screw_
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double across_0a = B->h.z * s->m4, across_0 = fma(-B->h.y, s->m5, across_0a);
-  const double across_1a = B->h.x * s->m5, across_1 = fma(-B->h.z, s->m3, across_1a);
-  const double across_2a = B->h.y * s->m3, across_2 = fma(-B->h.x, s->m4, across_2a);
-  const double p_0a = B->m * s->m0, p_0 = fma(2.0, across_0, p_0a);
-  const double p_1a = B->m * s->m1, p_1 = fma(2.0, across_1, p_1a);
-  const double p_2a = B->m * s->m2, p_2 = fma(2.0, across_2, p_2a);
-  const double L_0a = B->xx * s->m3, L_0c = fma(B->xy, s->m4, L_0a), L_0 = fma(B->xz, s->m5, L_0c);
-  const double L_1a = B->yy * s->m4, L_1c = fma(B->xy, s->m3, L_1a), L_1 = fma(B->yz, s->m5, L_1c);
-  const double L_2a = B->zz * s->m5, L_2c = fma(B->xz, s->m3, L_2a), L_2 = fma(B->yz, s->m4, L_2c);
-  const double twice_a = s->m0 * p_0, twice_c = fma(s->m1, p_1, twice_a),
-      twice_e = fma(s->m2, p_2, twice_c), twice_f = s->m3 * L_0, twice_h = fma(s->m4, L_1, twice_f),
-      twice_j = fma(s->m5, L_2, twice_h), twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0 = fma(-B->h.y, s->m5, across_0a);
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1 = fma(-B->h.z, s->m3, across_1a);
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2 = fma(-B->h.x, s->m4, across_2a);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = fma(2.0, across_0, p_0a);
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = fma(2.0, across_1, p_1a);
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = fma(2.0, across_2, p_2a);
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0c = fma(B->xy, s->m4, L_0a),
+      L_0 = fma(B->xz, s->m5, L_0c);
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1c = fma(B->xy, s->m3, L_1a),
+      L_1 = fma(B->yz, s->m5, L_1c);
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2c = fma(B->xz, s->m3, L_2a),
+      L_2 = fma(B->yz, s->m4, L_2c);
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_c = fma(s->m1, p_1, twice_a),
+      twice_e = fma(s->m2, p_2, twice_c), twice_f = KSL_MUL(s->m3, L_0),
+      twice_h = fma(s->m4, L_1, twice_f), twice_j = fma(s->m5, L_2, twice_h),
+      twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   return energy;
 }
 
@@ -7401,24 +8799,24 @@ static inline double ksl_inertia_energy_fused(const ksl_inertia_t *B, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
   const double n_0 = fma(0.5, mt_0, B->h.x);
   const double n_1 = fma(0.5, mt_1, B->h.y);
   const double n_2 = fma(0.5, mt_2, B->h.z);
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3 = fma(t->y, n_0, pairs_3a);
-  const double pairs_4a = t->x * n_2, pairs_4 = fma(t->z, n_0, pairs_4a);
-  const double pairs_5a = t->y * n_2, pairs_5 = fma(t->z, n_1, pairs_5a);
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3 = fma(t->y, n_0, pairs_3a);
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4 = fma(t->z, n_0, pairs_4a);
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5 = fma(t->z, n_1, pairs_5a);
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -7449,60 +8847,60 @@ static inline void ksl_inertia_shifted_fused(const ksl_vec3_t *t, const ksl_iner
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double RI_0a = D->m00 * B->xx, RI_0c = fma(D->m01, B->xy, RI_0a),
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0c = fma(D->m01, B->xy, RI_0a),
       RI_0 = fma(D->m02, B->xz, RI_0c);
-  const double RI_1a = D->m00 * B->xy, RI_1c = fma(D->m01, B->yy, RI_1a),
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1c = fma(D->m01, B->yy, RI_1a),
       RI_1 = fma(D->m02, B->yz, RI_1c);
-  const double RI_2a = D->m00 * B->xz, RI_2c = fma(D->m01, B->yz, RI_2a),
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2c = fma(D->m01, B->yz, RI_2a),
       RI_2 = fma(D->m02, B->zz, RI_2c);
-  const double RI_3a = D->m10 * B->xx, RI_3c = fma(D->m11, B->xy, RI_3a),
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3c = fma(D->m11, B->xy, RI_3a),
       RI_3 = fma(D->m12, B->xz, RI_3c);
-  const double RI_4a = D->m10 * B->xy, RI_4c = fma(D->m11, B->yy, RI_4a),
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4c = fma(D->m11, B->yy, RI_4a),
       RI_4 = fma(D->m12, B->yz, RI_4c);
-  const double RI_5a = D->m10 * B->xz, RI_5c = fma(D->m11, B->yz, RI_5a),
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5c = fma(D->m11, B->yz, RI_5a),
       RI_5 = fma(D->m12, B->zz, RI_5c);
-  const double RI_6a = D->m20 * B->xx, RI_6c = fma(D->m21, B->xy, RI_6a),
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6c = fma(D->m21, B->xy, RI_6a),
       RI_6 = fma(D->m22, B->xz, RI_6c);
-  const double RI_7a = D->m20 * B->xy, RI_7c = fma(D->m21, B->yy, RI_7a),
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7c = fma(D->m21, B->yy, RI_7a),
       RI_7 = fma(D->m22, B->yz, RI_7c);
-  const double RI_8a = D->m20 * B->xz, RI_8c = fma(D->m21, B->yz, RI_8a),
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8c = fma(D->m21, B->yz, RI_8a),
       RI_8 = fma(D->m22, B->zz, RI_8c);
-  const double turned_1a = D->m00 * B->h.x, turned_1c = fma(D->m01, B->h.y, turned_1a),
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1c = fma(D->m01, B->h.y, turned_1a),
       turned_1 = fma(D->m02, B->h.z, turned_1c);
-  const double turned_2a = D->m10 * B->h.x, turned_2c = fma(D->m11, B->h.y, turned_2a),
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2c = fma(D->m11, B->h.y, turned_2a),
       turned_2 = fma(D->m12, B->h.z, turned_2c);
-  const double turned_3a = D->m20 * B->h.x, turned_3c = fma(D->m21, B->h.y, turned_3a),
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3c = fma(D->m21, B->h.y, turned_3a),
       turned_3 = fma(D->m22, B->h.z, turned_3c);
-  const double turned_4a = D->m00 * RI_0, turned_4c = fma(D->m01, RI_1, turned_4a),
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4c = fma(D->m01, RI_1, turned_4a),
       turned_4 = fma(D->m02, RI_2, turned_4c);
-  const double turned_5a = D->m10 * RI_3, turned_5c = fma(D->m11, RI_4, turned_5a),
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5c = fma(D->m11, RI_4, turned_5a),
       turned_5 = fma(D->m12, RI_5, turned_5c);
-  const double turned_6a = D->m20 * RI_6, turned_6c = fma(D->m21, RI_7, turned_6a),
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6c = fma(D->m21, RI_7, turned_6a),
       turned_6 = fma(D->m22, RI_8, turned_6c);
-  const double turned_7a = D->m10 * RI_0, turned_7c = fma(D->m11, RI_1, turned_7a),
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7c = fma(D->m11, RI_1, turned_7a),
       turned_7 = fma(D->m12, RI_2, turned_7c);
-  const double turned_8a = D->m20 * RI_0, turned_8c = fma(D->m21, RI_1, turned_8a),
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8c = fma(D->m21, RI_1, turned_8a),
       turned_8 = fma(D->m22, RI_2, turned_8c);
-  const double turned_9a = D->m20 * RI_3, turned_9c = fma(D->m21, RI_4, turned_9a),
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9c = fma(D->m21, RI_4, turned_9a),
       turned_9 = fma(D->m22, RI_5, turned_9c);
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
   const double n_0 = fma(0.5, mt_0, turned_1);
   const double n_1 = fma(0.5, mt_1, turned_2);
   const double n_2 = fma(0.5, mt_2, turned_3);
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3 = fma(D->m13, n_0, pairs_3a);
-  const double pairs_4a = D->m03 * n_2, pairs_4 = fma(D->m23, n_0, pairs_4a);
-  const double pairs_5a = D->m13 * n_2, pairs_5 = fma(D->m23, n_1, pairs_5a);
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3 = fma(D->m13, n_0, pairs_3a);
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4 = fma(D->m23, n_0, pairs_4a);
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5 = fma(D->m23, n_1, pairs_5a);
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -7531,16 +8929,16 @@ static inline void ksl_inertia_transformed_fused(const ksl_SE3_t *D, const ksl_i
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_scale_fused(ksl_inertiaf_t *self, const float a) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -7620,12 +9018,12 @@ static inline void ksl_subtract_BBf_fused(const ksl_inertiaf_t *B1, const ksl_in
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_from_com_fused(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
@@ -7652,18 +9050,21 @@ static inline void ksl_inertiaf_from_com_fused(const float m, const ksl_vec3f_t 
      barring over- and underflow. */
 static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0b = B->h.z * s->m4, co_0d = fmaf(-B->h.y, s->m5, co_0b),
+  const float co_0b = KSL_MULF(B->h.z, s->m4), co_0d = fmaf(-B->h.y, s->m5, co_0b),
       co_0 = fmaf(B->m, s->m0, co_0d);
-  const float co_1b = B->h.x * s->m5, co_1d = fmaf(-B->h.z, s->m3, co_1b),
+  const float co_1b = KSL_MULF(B->h.x, s->m5), co_1d = fmaf(-B->h.z, s->m3, co_1b),
       co_1 = fmaf(B->m, s->m1, co_1d);
-  const float co_2b = B->h.y * s->m3, co_2d = fmaf(-B->h.x, s->m4, co_2b),
+  const float co_2b = KSL_MULF(B->h.y, s->m3), co_2d = fmaf(-B->h.x, s->m4, co_2b),
       co_2 = fmaf(B->m, s->m2, co_2d);
-  const float co_3a = B->h.y * s->m2, co_3c = fmaf(-B->h.z, s->m1, co_3a), co_3d = B->xx * s->m3,
-      co_3f = fmaf(B->xy, s->m4, co_3d), co_3h = fmaf(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4c = fmaf(-B->h.x, s->m2, co_4a), co_4d = B->yy * s->m4,
-      co_4f = fmaf(B->xy, s->m3, co_4d), co_4h = fmaf(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5c = fmaf(-B->h.y, s->m0, co_5a), co_5d = B->zz * s->m5,
-      co_5f = fmaf(B->xz, s->m3, co_5d), co_5h = fmaf(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3c = fmaf(-B->h.z, s->m1, co_3a),
+      co_3d = KSL_MULF(B->xx, s->m3), co_3f = fmaf(B->xy, s->m4, co_3d),
+      co_3h = fmaf(B->xz, s->m5, co_3f), co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4c = fmaf(-B->h.x, s->m2, co_4a),
+      co_4d = KSL_MULF(B->yy, s->m4), co_4f = fmaf(B->xy, s->m3, co_4d),
+      co_4h = fmaf(B->yz, s->m5, co_4f), co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5c = fmaf(-B->h.y, s->m0, co_5a),
+      co_5d = KSL_MULF(B->zz, s->m5), co_5f = fmaf(B->xz, s->m3, co_5d),
+      co_5h = fmaf(B->yz, s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -7679,20 +9080,23 @@ static inline void ksl_product_Bsf_fused(const ksl_inertiaf_t *B, const ksl_scre
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float across_0a = B->h.z * s->m4, across_0 = fmaf(-B->h.y, s->m5, across_0a);
-  const float across_1a = B->h.x * s->m5, across_1 = fmaf(-B->h.z, s->m3, across_1a);
-  const float across_2a = B->h.y * s->m3, across_2 = fmaf(-B->h.x, s->m4, across_2a);
-  const float p_0a = B->m * s->m0, p_0 = fmaf(2.0f, across_0, p_0a);
-  const float p_1a = B->m * s->m1, p_1 = fmaf(2.0f, across_1, p_1a);
-  const float p_2a = B->m * s->m2, p_2 = fmaf(2.0f, across_2, p_2a);
-  const float L_0a = B->xx * s->m3, L_0c = fmaf(B->xy, s->m4, L_0a), L_0 = fmaf(B->xz, s->m5, L_0c);
-  const float L_1a = B->yy * s->m4, L_1c = fmaf(B->xy, s->m3, L_1a), L_1 = fmaf(B->yz, s->m5, L_1c);
-  const float L_2a = B->zz * s->m5, L_2c = fmaf(B->xz, s->m3, L_2a), L_2 = fmaf(B->yz, s->m4, L_2c);
-  const float twice_a = s->m0 * p_0, twice_c = fmaf(s->m1, p_1, twice_a),
-      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = s->m3 * L_0,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0 = fmaf(-B->h.y, s->m5, across_0a);
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1 = fmaf(-B->h.z, s->m3, across_1a);
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2 = fmaf(-B->h.x, s->m4, across_2a);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = fmaf(2.0f, across_0, p_0a);
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = fmaf(2.0f, across_1, p_1a);
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = fmaf(2.0f, across_2, p_2a);
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0c = fmaf(B->xy, s->m4, L_0a),
+      L_0 = fmaf(B->xz, s->m5, L_0c);
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1c = fmaf(B->xy, s->m3, L_1a),
+      L_1 = fmaf(B->yz, s->m5, L_1c);
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2c = fmaf(B->xz, s->m3, L_2a),
+      L_2 = fmaf(B->yz, s->m4, L_2c);
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_c = fmaf(s->m1, p_1, twice_a),
+      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = KSL_MULF(s->m3, L_0),
       twice_h = fmaf(s->m4, L_1, twice_f), twice_j = fmaf(s->m5, L_2, twice_h),
       twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float energy = KSL_MULF(0.5f, twice);
   return energy;
 }
 
@@ -7704,24 +9108,24 @@ static inline float ksl_inertiaf_energy_fused(const ksl_inertiaf_t *B, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
   const float n_0 = fmaf(0.5f, mt_0, B->h.x);
   const float n_1 = fmaf(0.5f, mt_1, B->h.y);
   const float n_2 = fmaf(0.5f, mt_2, B->h.z);
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3 = fmaf(t->y, n_0, pairs_3a);
-  const float pairs_4a = t->x * n_2, pairs_4 = fmaf(t->z, n_0, pairs_4a);
-  const float pairs_5a = t->y * n_2, pairs_5 = fmaf(t->z, n_1, pairs_5a);
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3 = fmaf(t->y, n_0, pairs_3a);
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4 = fmaf(t->z, n_0, pairs_4a);
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5 = fmaf(t->z, n_1, pairs_5a);
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -7752,60 +9156,60 @@ static inline void ksl_inertiaf_shifted_fused(const ksl_vec3f_t *t, const ksl_in
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_fused(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float RI_0a = D->m00 * B->xx, RI_0c = fmaf(D->m01, B->xy, RI_0a),
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0c = fmaf(D->m01, B->xy, RI_0a),
       RI_0 = fmaf(D->m02, B->xz, RI_0c);
-  const float RI_1a = D->m00 * B->xy, RI_1c = fmaf(D->m01, B->yy, RI_1a),
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1c = fmaf(D->m01, B->yy, RI_1a),
       RI_1 = fmaf(D->m02, B->yz, RI_1c);
-  const float RI_2a = D->m00 * B->xz, RI_2c = fmaf(D->m01, B->yz, RI_2a),
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2c = fmaf(D->m01, B->yz, RI_2a),
       RI_2 = fmaf(D->m02, B->zz, RI_2c);
-  const float RI_3a = D->m10 * B->xx, RI_3c = fmaf(D->m11, B->xy, RI_3a),
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3c = fmaf(D->m11, B->xy, RI_3a),
       RI_3 = fmaf(D->m12, B->xz, RI_3c);
-  const float RI_4a = D->m10 * B->xy, RI_4c = fmaf(D->m11, B->yy, RI_4a),
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4c = fmaf(D->m11, B->yy, RI_4a),
       RI_4 = fmaf(D->m12, B->yz, RI_4c);
-  const float RI_5a = D->m10 * B->xz, RI_5c = fmaf(D->m11, B->yz, RI_5a),
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5c = fmaf(D->m11, B->yz, RI_5a),
       RI_5 = fmaf(D->m12, B->zz, RI_5c);
-  const float RI_6a = D->m20 * B->xx, RI_6c = fmaf(D->m21, B->xy, RI_6a),
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6c = fmaf(D->m21, B->xy, RI_6a),
       RI_6 = fmaf(D->m22, B->xz, RI_6c);
-  const float RI_7a = D->m20 * B->xy, RI_7c = fmaf(D->m21, B->yy, RI_7a),
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7c = fmaf(D->m21, B->yy, RI_7a),
       RI_7 = fmaf(D->m22, B->yz, RI_7c);
-  const float RI_8a = D->m20 * B->xz, RI_8c = fmaf(D->m21, B->yz, RI_8a),
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8c = fmaf(D->m21, B->yz, RI_8a),
       RI_8 = fmaf(D->m22, B->zz, RI_8c);
-  const float turned_1a = D->m00 * B->h.x, turned_1c = fmaf(D->m01, B->h.y, turned_1a),
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1c = fmaf(D->m01, B->h.y, turned_1a),
       turned_1 = fmaf(D->m02, B->h.z, turned_1c);
-  const float turned_2a = D->m10 * B->h.x, turned_2c = fmaf(D->m11, B->h.y, turned_2a),
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2c = fmaf(D->m11, B->h.y, turned_2a),
       turned_2 = fmaf(D->m12, B->h.z, turned_2c);
-  const float turned_3a = D->m20 * B->h.x, turned_3c = fmaf(D->m21, B->h.y, turned_3a),
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3c = fmaf(D->m21, B->h.y, turned_3a),
       turned_3 = fmaf(D->m22, B->h.z, turned_3c);
-  const float turned_4a = D->m00 * RI_0, turned_4c = fmaf(D->m01, RI_1, turned_4a),
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4c = fmaf(D->m01, RI_1, turned_4a),
       turned_4 = fmaf(D->m02, RI_2, turned_4c);
-  const float turned_5a = D->m10 * RI_3, turned_5c = fmaf(D->m11, RI_4, turned_5a),
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5c = fmaf(D->m11, RI_4, turned_5a),
       turned_5 = fmaf(D->m12, RI_5, turned_5c);
-  const float turned_6a = D->m20 * RI_6, turned_6c = fmaf(D->m21, RI_7, turned_6a),
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6c = fmaf(D->m21, RI_7, turned_6a),
       turned_6 = fmaf(D->m22, RI_8, turned_6c);
-  const float turned_7a = D->m10 * RI_0, turned_7c = fmaf(D->m11, RI_1, turned_7a),
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7c = fmaf(D->m11, RI_1, turned_7a),
       turned_7 = fmaf(D->m12, RI_2, turned_7c);
-  const float turned_8a = D->m20 * RI_0, turned_8c = fmaf(D->m21, RI_1, turned_8a),
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8c = fmaf(D->m21, RI_1, turned_8a),
       turned_8 = fmaf(D->m22, RI_2, turned_8c);
-  const float turned_9a = D->m20 * RI_3, turned_9c = fmaf(D->m21, RI_4, turned_9a),
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9c = fmaf(D->m21, RI_4, turned_9a),
       turned_9 = fmaf(D->m22, RI_5, turned_9c);
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
   const float n_0 = fmaf(0.5f, mt_0, turned_1);
   const float n_1 = fmaf(0.5f, mt_1, turned_2);
   const float n_2 = fmaf(0.5f, mt_2, turned_3);
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3 = fmaf(D->m13, n_0, pairs_3a);
-  const float pairs_4a = D->m03 * n_2, pairs_4 = fmaf(D->m23, n_0, pairs_4a);
-  const float pairs_5a = D->m13 * n_2, pairs_5 = fmaf(D->m23, n_1, pairs_5a);
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3 = fmaf(D->m13, n_0, pairs_3a);
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4 = fmaf(D->m23, n_0, pairs_4a);
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5 = fmaf(D->m23, n_1, pairs_5a);
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;

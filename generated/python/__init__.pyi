@@ -1648,6 +1648,14 @@ def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | 
     4 mul.  Error <= u |result|, barring over- and underflow.
     """
 
+def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """y = a x + y.
+
+    (),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.
+    4 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
 def quaternion_setIdentity(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """self = (0; 1).
 
@@ -1683,31 +1691,7 @@ def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) 
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
-def product_qq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-
-def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = q1* q2, q1* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-
-def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """qo = q1 q2*, q2* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-
-def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -1715,7 +1699,7 @@ def product_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ..
     formula; barring over- and underflow.
     """
 
-def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -1723,11 +1707,301 @@ def product_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None 
     formula; barring over- and underflow.
     """
 
+def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = q1i q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = q1i q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = q1i* q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = q1i* q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = qi* (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (vi; 0) qi.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qo = (vi; 0) qi*.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """q1i·q2i.
+
+    (4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.
+    4 mul, 3 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    first order; not normalized.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+    reference frame, rad/s, and what draws its norm to 1.
+
+    (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+    23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
     in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
 
@@ -1753,7 +2027,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
-    angle: 5 u, axis: 4 u of its largest component; searched, not proved.
+    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
 
 def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1771,15 +2045,15 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    vo: 6 u of its largest component; searched, not proved.
     """
 
-def quaternion_slerp(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
 
@@ -1787,7 +2061,7 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (6 +
     θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
@@ -1797,7 +2071,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 5 u of its largest component for R a rotation; searched, not proved.
+    vo: 6 u of its largest component for R a rotation; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1823,7 +2097,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
     u of its largest component for |v| <= π; searched, not proved.
     """
 
@@ -1832,7 +2106,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
     its largest component for |v| <= π; searched, not proved.
     """
 
@@ -1840,7 +2114,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
     for |axis| = 1; searched, not proved.
     """
 
@@ -1873,7 +2147,7 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
     θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
     s| <= 1e13, in single precision 1e5; searched, not proved.
     """
@@ -1883,7 +2157,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1891,7 +2165,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1899,7 +2173,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1907,7 +2181,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    9 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1915,7 +2189,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ..
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    9 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1923,7 +2197,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
 

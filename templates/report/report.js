@@ -8,7 +8,8 @@ function paretoPoint(entry, name) {
     low: number(time.low), high: number(time.high),
     precision: entry.precision, hollow: time.dominated === true, variant: identity(entry) };
   point.title = `${identity(entry)}: ${formatted(point.y)} ${entry.measure}, ` +
-    `${formatted(point.x)} ns (${range(point.low, point.high)})${point.hollow ? ", dominated" : ""}`;
+    `${formatted(point.x)} ns (${range(point.low, point.high)})` +
+    (point.hollow ? ", dominated" : "");
   return point;
 }
 

@@ -51,7 +51,7 @@ _ANGLES: dict[str, Callable[[np.random.Generator], np.ndarray]] = {
 _MOTIONS = ("SO3_exp", "SO3_log", "SO3_rightJacobian", "SO3_rightJacobianInverse", "SE3_exp",
             "SE3_log", "SE3_rightJacobian", "SE3_rightJacobianInverse", "quaternion_exp",
             "quaternion_log", "mat3x3_from_quaternion", "quaternion_from_mat3x3",
-            "quaternion_slerp")
+            "quaternion_interpolated")
 _LENGTHS = {"to 1e-300": (-307, -300), "1e-200": (-201, -199), "1": (-3, 3),
             "1e200": (199, 201), "to 1e307": (300, 307)}
 _GAPS = {"to 1e-10": (-15, -10), "1e-10 to 1e-4": (-10, -4), "1e-4 to 1": (-4, 0)}

@@ -90,7 +90,7 @@ def _scipy(scipy: ModuleType) -> dict[str, Function]:
         "quaternion_log": lambda q: Rotation.from_quat(q).as_rotvec(),
         "mat3x3_from_quaternion": lambda q: Rotation.from_quat(q).as_matrix(),
         "quaternion_from_mat3x3": lambda R: Rotation.from_matrix(R).as_quat(),
-        "quaternion_slerp": _by_row(slerp)}
+        "quaternion_interpolated": _by_row(slerp)}
     if hasattr(transform, "RigidTransform"):
         rigid = transform.RigidTransform
         functions["SE3_exp"] = lambda s: rigid.from_exp_coords(_swapped(s)).as_matrix()[:, :3]
@@ -117,7 +117,7 @@ def _pinocchio(pin: ModuleType) -> dict[str, Function]:
         "mat3x3_from_quaternion": _by_row(
             lambda q: pin.Quaternion(q).toRotationMatrix()),
         "quaternion_from_mat3x3": _by_row(lambda R: pin.Quaternion(R).coeffs()),
-        "quaternion_slerp": _by_row(lambda p, q, k: pin.Quaternion(p).slerp(
+        "quaternion_interpolated": _by_row(lambda p, q, k: pin.Quaternion(p).slerp(
             float(k), pin.Quaternion(q)).coeffs()))}
 
 
@@ -129,7 +129,7 @@ def _spatialmath(base: ModuleType) -> dict[str, Function]:
         "SE3_log": _by_row(lambda T: base.trlog(_homogeneous(T), check=False, twist=True)),
         "mat3x3_from_quaternion": _by_row(lambda q: base.q2r(_scalar_first(q))),
         "quaternion_from_mat3x3": _by_row(lambda R: _scalar_last(base.r2q(R, check=False))),
-        "quaternion_slerp": _by_row(lambda p, q, k: _scalar_last(base.qslerp(
+        "quaternion_interpolated": _by_row(lambda p, q, k: _scalar_last(base.qslerp(
             _scalar_first(p), _scalar_first(q), k, shortest=True)))}
 
 

@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "d5f8c28dd65f213c") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "b10c65f13e7b702b") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

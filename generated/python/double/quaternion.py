@@ -36,6 +36,23 @@ def quaternion_scale(self, a):
     return (self_0_new, self_1_new, self_2_new, self_3_new)
 
 
+@kernel("(),(4),(4)->(4)")
+def axpy_qq(a, x, y):
+    """y = a x + y.
+
+    (),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.
+    4 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    x_0, x_1, x_2, x_3 = x
+    y_0, y_1, y_2, y_3 = y
+    y_0_new = a * x_0 + y_0
+    y_1_new = a * x_1 + y_1
+    y_2_new = a * x_2 + y_2
+    y_3_new = a * x_3 + y_3
+    return (y_0_new, y_1_new, y_2_new, y_3_new)
+
+
 @kernel("(4)->(4)")
 def quaternion_setIdentity(self):
     """self = (0; 1).
@@ -172,59 +189,8 @@ def quaternion_normalized(q):
     return (qo_0, qo_1, qo_2, qo_3)
 
 
-@kernel("(4),(4)->(4)")
-def product_qq(q1, q2):
-    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_0 * q2_3 + (q1_1 * q2_2 - q1_2 * q2_1) + q1_3 * q2_0
-    qo_1 = q1_2 * q2_0 - q1_0 * q2_2 + q1_1 * q2_3 + q1_3 * q2_1
-    qo_2 = q1_0 * q2_1 - q1_1 * q2_0 + q1_2 * q2_3 + q1_3 * q2_2
-    qo_3 = q1_3 * q2_3 - (q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2)
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->(4)")
-def product_qconjq(q1, q2):
-    """qo = q1* q2, q1* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
-    qo_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_3 * q2_1 - q1_1 * q2_3)
-    qo_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
-    qo_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->(4)")
-def product_qqconj(q1, q2):
-    """qo = q1 q2*, q2* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0 = q1_0 * q2_3 - q1_3 * q2_0 + (q1_2 * q2_1 - q1_1 * q2_2)
-    qo_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_1 * q2_3 - q1_3 * q2_1)
-    qo_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_2 * q2_3 - q1_3 * q2_2)
-    qo_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
 @kernel("(4),(3)->(3)")
-def product_qv(q, v):
+def rotate_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -249,7 +215,7 @@ def product_qv(q, v):
 
 
 @kernel("(4),(3)->(3)")
-def product_qconjv(q, v):
+def rotate_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -273,12 +239,633 @@ def product_qconjv(q, v):
     return (vo_0, vo_1, vo_2)
 
 
+@kernel("(4),(4)->(4)")
+def quaternion_product_qq(q1i, q2i):
+    """qo = q1i q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0 = q1i_0 * q2i_3 + (q1i_1 * q2i_2 - q1i_2 * q2i_1) + q1i_3 * q2i_0
+    qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 + q1i_1 * q2i_3 + q1i_3 * q2i_1
+    qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 + q1i_2 * q2i_3 + q1i_3 * q2i_2
+    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qqconj(q1i, q2i):
+    """qo = q1i q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0 = q1i_0 * q2i_3 - q1i_3 * q2i_0 + (q1i_2 * q2i_1 - q1i_1 * q2i_2)
+    qo_1 = q1i_0 * q2i_2 - q1i_2 * q2i_0 + (q1i_1 * q2i_3 - q1i_3 * q2i_1)
+    qo_2 = q1i_1 * q2i_0 - q1i_0 * q2i_1 + (q1i_2 * q2i_3 - q1i_3 * q2i_2)
+    qo_3 = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qconjq(q1i, q2i):
+    """qo = q1i* q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0 = q1i_3 * q2i_0 - q1i_0 * q2i_3 + (q1i_2 * q2i_1 - q1i_1 * q2i_2)
+    qo_1 = q1i_0 * q2i_2 - q1i_2 * q2i_0 + (q1i_3 * q2i_1 - q1i_1 * q2i_3)
+    qo_2 = q1i_1 * q2i_0 - q1i_0 * q2i_1 + (q1i_3 * q2i_2 - q1i_2 * q2i_3)
+    qo_3 = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qconjqconj(q1i, q2i):
+    """qo = q1i* q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0 = q1i_1 * q2i_2 - q1i_2 * q2i_1 - q1i_0 * q2i_3 - q1i_3 * q2i_0
+    qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 - q1i_1 * q2i_3 - q1i_3 * q2i_1
+    qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 - q1i_2 * q2i_3 - q1i_3 * q2i_2
+    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxq(dci, qi):
+    """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_3 + dci_1 * qi_0
+    qo_1 = dci_1 * qi_1 - dci_0 * qi_2
+    qo_2 = dci_0 * qi_1 + dci_1 * qi_2
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxqconj(dci, qi):
+    """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_3 - dci_1 * qi_0
+    qo_1 = dci_0 * qi_2 - dci_1 * qi_1
+    qo_2 = -(dci_0 * qi_1 + dci_1 * qi_2)
+    qo_3 = dci_0 * qi_0 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxconjq(dci, qi):
+    """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_1 * qi_0 - dci_0 * qi_3
+    qo_1 = dci_0 * qi_2 + dci_1 * qi_1
+    qo_2 = dci_1 * qi_2 - dci_0 * qi_1
+    qo_3 = dci_0 * qi_0 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxconjqconj(dci, qi):
+    """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = -(dci_0 * qi_3 + dci_1 * qi_0)
+    qo_1 = -(dci_0 * qi_2 + dci_1 * qi_1)
+    qo_2 = dci_0 * qi_1 - dci_1 * qi_2
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqx(qi, dci):
+    """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 + qi_3 * dci_0
+    qo_1 = qi_1 * dci_1 + qi_2 * dci_0
+    qo_2 = qi_2 * dci_1 - qi_1 * dci_0
+    qo_3 = qi_3 * dci_1 - qi_0 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqxconj(qi, dci):
+    """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 - qi_3 * dci_0
+    qo_1 = qi_1 * dci_1 - qi_2 * dci_0
+    qo_2 = qi_1 * dci_0 + qi_2 * dci_1
+    qo_3 = qi_0 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqx(qi, dci):
+    """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_3 * dci_0 - qi_0 * dci_1
+    qo_1 = -(qi_1 * dci_1 + qi_2 * dci_0)
+    qo_2 = qi_1 * dci_0 - qi_2 * dci_1
+    qo_3 = qi_0 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqxconj(qi, dci):
+    """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = -(qi_0 * dci_1 + qi_3 * dci_0)
+    qo_1 = qi_2 * dci_0 - qi_1 * dci_1
+    qo_2 = -(qi_1 * dci_0 + qi_2 * dci_1)
+    qo_3 = qi_3 * dci_1 - qi_0 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyq(dci, qi):
+    """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_2 + dci_1 * qi_0
+    qo_1 = dci_0 * qi_3 + dci_1 * qi_1
+    qo_2 = dci_1 * qi_2 - dci_0 * qi_0
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyqconj(dci, qi):
+    """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = -(dci_0 * qi_2 + dci_1 * qi_0)
+    qo_1 = dci_0 * qi_3 - dci_1 * qi_1
+    qo_2 = dci_0 * qi_0 - dci_1 * qi_2
+    qo_3 = dci_0 * qi_1 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyconjq(dci, qi):
+    """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_1 * qi_0 - dci_0 * qi_2
+    qo_1 = dci_1 * qi_1 - dci_0 * qi_3
+    qo_2 = dci_0 * qi_0 + dci_1 * qi_2
+    qo_3 = dci_0 * qi_1 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyconjqconj(dci, qi):
+    """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_2 - dci_1 * qi_0
+    qo_1 = -(dci_0 * qi_3 + dci_1 * qi_1)
+    qo_2 = -(dci_0 * qi_0 + dci_1 * qi_2)
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqy(qi, dci):
+    """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 - qi_2 * dci_0
+    qo_1 = qi_1 * dci_1 + qi_3 * dci_0
+    qo_2 = qi_0 * dci_0 + qi_2 * dci_1
+    qo_3 = qi_3 * dci_1 - qi_1 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqyconj(qi, dci):
+    """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 + qi_2 * dci_0
+    qo_1 = qi_1 * dci_1 - qi_3 * dci_0
+    qo_2 = qi_2 * dci_1 - qi_0 * dci_0
+    qo_3 = qi_1 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqy(qi, dci):
+    """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_2 * dci_0 - qi_0 * dci_1
+    qo_1 = qi_3 * dci_0 - qi_1 * dci_1
+    qo_2 = -(qi_0 * dci_0 + qi_2 * dci_1)
+    qo_3 = qi_1 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqyconj(qi, dci):
+    """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = -(qi_0 * dci_1 + qi_2 * dci_0)
+    qo_1 = -(qi_1 * dci_1 + qi_3 * dci_0)
+    qo_2 = qi_0 * dci_0 - qi_2 * dci_1
+    qo_3 = qi_3 * dci_1 - qi_1 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzq(dci, qi):
+    """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_1 * qi_0 - dci_0 * qi_1
+    qo_1 = dci_0 * qi_0 + dci_1 * qi_1
+    qo_2 = dci_0 * qi_3 + dci_1 * qi_2
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_2
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzqconj(dci, qi):
+    """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_1 - dci_1 * qi_0
+    qo_1 = -(dci_0 * qi_0 + dci_1 * qi_1)
+    qo_2 = dci_0 * qi_3 - dci_1 * qi_2
+    qo_3 = dci_0 * qi_2 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzconjq(dci, qi):
+    """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = dci_0 * qi_1 + dci_1 * qi_0
+    qo_1 = dci_1 * qi_1 - dci_0 * qi_0
+    qo_2 = dci_1 * qi_2 - dci_0 * qi_3
+    qo_3 = dci_0 * qi_2 + dci_1 * qi_3
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzconjqconj(dci, qi):
+    """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = -(dci_0 * qi_1 + dci_1 * qi_0)
+    qo_1 = dci_0 * qi_0 - dci_1 * qi_1
+    qo_2 = -(dci_0 * qi_3 + dci_1 * qi_2)
+    qo_3 = dci_1 * qi_3 - dci_0 * qi_2
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqz(qi, dci):
+    """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 + qi_1 * dci_0
+    qo_1 = qi_1 * dci_1 - qi_0 * dci_0
+    qo_2 = qi_2 * dci_1 + qi_3 * dci_0
+    qo_3 = qi_3 * dci_1 - qi_2 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqzconj(qi, dci):
+    """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_0 * dci_1 - qi_1 * dci_0
+    qo_1 = qi_0 * dci_0 + qi_1 * dci_1
+    qo_2 = qi_2 * dci_1 - qi_3 * dci_0
+    qo_3 = qi_2 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqz(qi, dci):
+    """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = -(qi_0 * dci_1 + qi_1 * dci_0)
+    qo_1 = qi_0 * dci_0 - qi_1 * dci_1
+    qo_2 = qi_3 * dci_0 - qi_2 * dci_1
+    qo_3 = qi_2 * dci_0 + qi_3 * dci_1
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqzconj(qi, dci):
+    """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0 = qi_1 * dci_0 - qi_0 * dci_1
+    qo_1 = -(qi_0 * dci_0 + qi_1 * dci_1)
+    qo_2 = -(qi_2 * dci_1 + qi_3 * dci_0)
+    qo_3 = qi_3 * dci_1 - qi_2 * dci_0
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(3)->(4)")
+def quaternion_product_qv(qi, vi):
+    """qo = qi (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    vi_0, vi_1, vi_2 = vi
+    qo_0 = qi_1 * vi_2 - qi_2 * vi_1 + qi_3 * vi_0
+    qo_1 = qi_2 * vi_0 - qi_0 * vi_2 + qi_3 * vi_1
+    qo_2 = qi_0 * vi_1 - qi_1 * vi_0 + qi_3 * vi_2
+    qo_3 = -(qi_0 * vi_0 + qi_1 * vi_1 + qi_2 * vi_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(3)->(4)")
+def quaternion_product_qconjv(qi, vi):
+    """qo = qi* (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    vi_0, vi_1, vi_2 = vi
+    qo_0 = qi_2 * vi_1 - qi_1 * vi_2 + qi_3 * vi_0
+    qo_1 = qi_0 * vi_2 - qi_2 * vi_0 + qi_3 * vi_1
+    qo_2 = qi_1 * vi_0 - qi_0 * vi_1 + qi_3 * vi_2
+    qo_3 = qi_0 * vi_0 + qi_1 * vi_1 + qi_2 * vi_2
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(3),(4)->(4)")
+def quaternion_product_vq(vi, qi):
+    """qo = (vi; 0) qi.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    vi_0, vi_1, vi_2 = vi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = vi_0 * qi_3 + (vi_1 * qi_2 - vi_2 * qi_1)
+    qo_1 = vi_2 * qi_0 - vi_0 * qi_2 + vi_1 * qi_3
+    qo_2 = vi_0 * qi_1 - vi_1 * qi_0 + vi_2 * qi_3
+    qo_3 = -(vi_0 * qi_0 + vi_1 * qi_1 + vi_2 * qi_2)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(3),(4)->(4)")
+def quaternion_product_vqconj(vi, qi):
+    """qo = (vi; 0) qi*.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    vi_0, vi_1, vi_2 = vi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0 = vi_0 * qi_3 + (vi_2 * qi_1 - vi_1 * qi_2)
+    qo_1 = vi_0 * qi_2 - vi_2 * qi_0 + vi_1 * qi_3
+    qo_2 = vi_1 * qi_0 - vi_0 * qi_1 + vi_2 * qi_3
+    qo_3 = vi_0 * qi_0 + vi_1 * qi_1 + vi_2 * qi_2
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
+@kernel("(4),(4)->()")
+def dot_qq(q1i, q2i):
+    """q1i·q2i.
+
+    (4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.
+    4 mul, 3 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    dot = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
+    return dot
+
+
+@kernel("(3),(4)->(4)")
+def add_dpiToq(dpi, qi):
+    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    first order; not normalized.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dpi_0, dpi_1, dpi_2 = dpi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qi_0_new_a = 0.5 * dpi_0
+    qi_0_new_c = 0.5 * dpi_2
+    qi_0_new_e = 0.5 * dpi_1
+    qi_0_new = qi_0_new_a * qi_3 + (qi_0_new_c * qi_1 - qi_0_new_e * qi_2) + qi_0
+    qi_1_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_0 + qi_0_new_e * qi_3 + qi_1
+    qi_2_new = qi_0_new_e * qi_0 - qi_0_new_a * qi_1 + qi_0_new_c * qi_3 + qi_2
+    qi_3_new = qi_3 - (qi_0_new_a * qi_0 + qi_0_new_e * qi_1 + qi_0_new_c * qi_2)
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new)
+
+
+@kernel("(3),(4)->(4)")
+def subtract_dpiFromq(dpi, qi):
+    """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    dpi_0, dpi_1, dpi_2 = dpi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qi_0_new_a = 0.5 * dpi_1
+    qi_0_new_c = 0.5 * dpi_2
+    qi_0_new_f = 0.5 * dpi_0
+    qi_0_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_1 - qi_0_new_f * qi_3 + qi_0
+    qi_1_new = qi_0_new_c * qi_0 - qi_0_new_f * qi_2 - qi_0_new_a * qi_3 + qi_1
+    qi_2_new = qi_0_new_f * qi_1 - qi_0_new_a * qi_0 - qi_0_new_c * qi_3 + qi_2
+    qi_3_new = qi_0_new_f * qi_0 + qi_0_new_a * qi_1 + qi_0_new_c * qi_2 + qi_3
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new)
+
+
+@kernel("(3),(4)->(4)")
+def omega_to_dquaternion(w, qi):
+    """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+    reference frame, rad/s, and what draws its norm to 1.
+
+    (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+    23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    w_0, w_1, w_2 = w
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dqo_0a = 0.5 * w_0
+    dqo_0c = 0.5 * w_1
+    dqo_0e = 0.5 * w_2
+    dqo_0p = 1 - qi_0 * qi_0 - qi_1 * qi_1 - qi_2 * qi_2 - qi_3 * qi_3
+    dqo_0 = dqo_0a * qi_3 + (dqo_0c * qi_2 - dqo_0e * qi_1) + qi_0 * dqo_0p
+    dqo_1 = dqo_0e * qi_0 - dqo_0a * qi_2 + dqo_0c * qi_3 + qi_1 * dqo_0p
+    dqo_2 = dqo_0a * qi_1 - dqo_0c * qi_0 + dqo_0e * qi_3 + qi_2 * dqo_0p
+    dqo_3 = qi_3 * dqo_0p - (dqo_0a * qi_0 + dqo_0c * qi_1 + dqo_0e * qi_2)
+    return (dqo_0, dqo_1, dqo_2, dqo_3)
+
+
 @kernel("(4)->(3,3)")
 def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
     in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -394,7 +981,7 @@ def axis_angle_from_quaternion(q):
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
-    angle: 5 u, axis: 4 u of its largest component; searched, not proved.
+    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -545,7 +1132,7 @@ def quaternion_log(q):
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -593,12 +1180,12 @@ def quaternion_log(q):
 
 
 @kernel("(4),(4),()->(4)")
-def quaternion_slerp(q1, q2, k):
+def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
     q1_0, q1_1, q1_2, q1_3 = q1

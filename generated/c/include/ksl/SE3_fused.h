@@ -14,13 +14,13 @@
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
-  const double self_03_new_a = self->m00 * self->m03,
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
       self_03_new_c = fma(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fma(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const double self_13_new_a = self->m01 * self->m03,
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
       self_13_new_c = fma(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fma(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const double self_23_new_a = self->m02 * self->m03,
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
       self_23_new_c = fma(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fma(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const double self_m10 = self->m10;
@@ -46,11 +46,11 @@ static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * D->m03, Do_03c = fma(D->m10, D->m13, Do_03a),
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03c = fma(D->m10, D->m13, Do_03a),
       Do_03e = fma(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = D->m01 * D->m03, Do_13c = fma(D->m11, D->m13, Do_13a),
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13c = fma(D->m11, D->m13, Do_13a),
       Do_13e = fma(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = D->m02 * D->m03, Do_23c = fma(D->m12, D->m13, Do_23a),
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23c = fma(D->m12, D->m13, Do_23a),
       Do_23e = fma(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
@@ -81,13 +81,13 @@ static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
-  const float self_03_new_a = self->m00 * self->m03,
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
       self_03_new_c = fmaf(self->m10, self->m13, self_03_new_a),
       self_03_new_e = fmaf(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const float self_13_new_a = self->m01 * self->m03,
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
       self_13_new_c = fmaf(self->m11, self->m13, self_13_new_a),
       self_13_new_e = fmaf(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const float self_23_new_a = self->m02 * self->m03,
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
       self_23_new_c = fmaf(self->m12, self->m13, self_23_new_a),
       self_23_new_e = fmaf(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
   const float self_m10 = self->m10;
@@ -113,11 +113,11 @@ static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * D->m03, Do_03c = fmaf(D->m10, D->m13, Do_03a),
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03c = fmaf(D->m10, D->m13, Do_03a),
       Do_03e = fmaf(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const float Do_13a = D->m01 * D->m03, Do_13c = fmaf(D->m11, D->m13, Do_13a),
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13c = fmaf(D->m11, D->m13, Do_13a),
       Do_13e = fmaf(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const float Do_23a = D->m02 * D->m03, Do_23c = fmaf(D->m12, D->m13, Do_23a),
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23c = fmaf(D->m12, D->m13, Do_23a),
       Do_23e = fmaf(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;

@@ -35,7 +35,7 @@ static inline void ksl_swapi(int *a, int *b) {
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
   for (int i = 0; i < n; i++) {
-    const double product = a * x[i];
+    const double product = KSL_MUL(a, x[i]);
     y[i] = product + y[i];
   }
 }
@@ -52,7 +52,7 @@ static inline void ksl_swapArray(
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
   for (int i = 0; i < n; i++) {
-    const float product = a * x[i];
+    const float product = KSL_MULF(a, x[i]);
     y[i] = product + y[i];
   }
 }

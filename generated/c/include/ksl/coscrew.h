@@ -45,12 +45,12 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -103,12 +103,12 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -160,12 +160,12 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -231,15 +231,15 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -261,32 +261,32 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -313,32 +313,32 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = ci->m0 * up;
-  const double enlarged_1 = ci->m1 * up;
-  const double enlarged_2 = ci->m2 * up;
-  const double enlarged_3 = ci->m3 * up;
-  const double enlarged_4 = ci->m4 * up;
-  const double enlarged_5 = ci->m5 * up;
+  const double enlarged_0 = KSL_MUL(ci->m0, up);
+  const double enlarged_1 = KSL_MUL(ci->m1, up);
+  const double enlarged_2 = KSL_MUL(ci->m2, up);
+  const double enlarged_3 = KSL_MUL(ci->m3, up);
+  const double enlarged_4 = KSL_MUL(ci->m4, up);
+  const double enlarged_5 = KSL_MUL(ci->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = quotient_0 * down;
-  const double co_1 = quotient_1 * down;
-  const double co_2 = quotient_2 * down;
-  const double co_3 = quotient_3 * down;
-  const double co_4 = quotient_4 * down;
-  const double co_5 = quotient_5 * down;
+  const double co_0 = KSL_MUL(quotient_0, down);
+  const double co_1 = KSL_MUL(quotient_1, down);
+  const double co_2 = KSL_MUL(quotient_2, down);
+  const double co_3 = KSL_MUL(quotient_3, down);
+  const double co_4 = KSL_MUL(quotient_4, down);
+  const double co_5 = KSL_MUL(quotient_5, down);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -432,11 +432,11 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -456,11 +456,11 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
@@ -483,11 +483,11 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -504,18 +504,18 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
      and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -531,18 +531,18 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
      and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -558,18 +558,18 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -585,23 +585,23 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -618,24 +618,24 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const double co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const double co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -651,23 +651,23 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -683,9 +683,12 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -703,9 +706,12 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -723,9 +729,12 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -794,9 +803,12 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -814,9 +826,12 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -834,9 +849,12 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -899,15 +917,24 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -961,10 +988,10 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -974,15 +1001,18 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
    Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -997,9 +1027,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1015,20 +1045,20 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1045,20 +1075,20 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1075,20 +1105,20 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1105,20 +1135,20 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1135,20 +1165,20 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1165,20 +1195,20 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
@@ -1194,12 +1224,12 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1214,12 +1244,12 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1234,12 +1264,12 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1253,9 +1283,9 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1269,9 +1299,9 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1285,9 +1315,9 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1388,12 +1418,12 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1446,12 +1476,12 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1503,12 +1533,12 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1575,14 +1605,14 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -1604,32 +1634,32 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->m0 * up;
-  const float enlarged_1 = self->m1 * up;
-  const float enlarged_2 = self->m2 * up;
-  const float enlarged_3 = self->m3 * up;
-  const float enlarged_4 = self->m4 * up;
-  const float enlarged_5 = self->m5 * up;
+  const float enlarged_0 = KSL_MULF(self->m0, up);
+  const float enlarged_1 = KSL_MULF(self->m1, up);
+  const float enlarged_2 = KSL_MULF(self->m2, up);
+  const float enlarged_3 = KSL_MULF(self->m3, up);
+  const float enlarged_4 = KSL_MULF(self->m4, up);
+  const float enlarged_5 = KSL_MULF(self->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
-  const float self_3_new = quotient_3 * down;
-  const float self_4_new = quotient_4 * down;
-  const float self_5_new = quotient_5 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
+  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float self_4_new = KSL_MULF(quotient_4, down);
+  const float self_5_new = KSL_MULF(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1656,32 +1686,32 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = ci->m0 * up;
-  const float enlarged_1 = ci->m1 * up;
-  const float enlarged_2 = ci->m2 * up;
-  const float enlarged_3 = ci->m3 * up;
-  const float enlarged_4 = ci->m4 * up;
-  const float enlarged_5 = ci->m5 * up;
+  const float enlarged_0 = KSL_MULF(ci->m0, up);
+  const float enlarged_1 = KSL_MULF(ci->m1, up);
+  const float enlarged_2 = KSL_MULF(ci->m2, up);
+  const float enlarged_3 = KSL_MULF(ci->m3, up);
+  const float enlarged_4 = KSL_MULF(ci->m4, up);
+  const float enlarged_5 = KSL_MULF(ci->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float co_0 = quotient_0 * down;
-  const float co_1 = quotient_1 * down;
-  const float co_2 = quotient_2 * down;
-  const float co_3 = quotient_3 * down;
-  const float co_4 = quotient_4 * down;
-  const float co_5 = quotient_5 * down;
+  const float co_0 = KSL_MULF(quotient_0, down);
+  const float co_1 = KSL_MULF(quotient_1, down);
+  const float co_2 = KSL_MULF(quotient_2, down);
+  const float co_3 = KSL_MULF(quotient_3, down);
+  const float co_4 = KSL_MULF(quotient_4, down);
+  const float co_5 = KSL_MULF(quotient_5, down);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1775,11 +1805,11 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -1799,11 +1829,11 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
@@ -1826,11 +1856,11 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
@@ -1847,18 +1877,18 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1874,18 +1904,18 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
      and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1901,18 +1931,18 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
      and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1928,21 +1958,24 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1958,24 +1991,24 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const float co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const float co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1991,21 +2024,24 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2020,9 +2056,12 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2040,9 +2079,12 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2060,9 +2102,12 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2131,9 +2176,12 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2151,9 +2199,12 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2171,9 +2222,12 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2236,15 +2290,24 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const float M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const float M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const float M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const float M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const float M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const float M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const float M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2298,10 +2361,10 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -2312,15 +2375,18 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const float co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const float co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const float co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2336,9 +2402,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const float co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const float co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2354,18 +2420,21 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2381,18 +2450,21 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2408,18 +2480,21 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2435,18 +2510,21 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2462,18 +2540,21 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2489,18 +2570,21 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2516,12 +2600,12 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2537,12 +2621,12 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2558,12 +2642,12 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2578,9 +2662,9 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2595,9 +2679,9 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2612,9 +2696,9 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;

@@ -13,12 +13,12 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_lo = ksl_product_error(self->m0, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
   const double self_1_new_lo = ksl_product_error(self->m1, a, self_1_new),
@@ -45,32 +45,32 @@ static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double 
    Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0,
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0,
       y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
       y_0_new_left_rest = ksl_product_rest(a, x->m0, y_0_new_a, y_0_new_left),
       y_0_new_right_rest = y->m0 - y_0_new_right,
       y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1,
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1,
       y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
       y_1_new_left_rest = ksl_product_rest(a, x->m1, y_1_new_a, y_1_new_left),
       y_1_new_right_rest = y->m1 - y_1_new_right,
       y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2,
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2,
       y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
       y_2_new_left_rest = ksl_product_rest(a, x->m2, y_2_new_a, y_2_new_left),
       y_2_new_right_rest = y->m2 - y_2_new_right,
       y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3,
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3,
       y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
       y_3_new_left_rest = ksl_product_rest(a, x->m3, y_3_new_a, y_3_new_left),
       y_3_new_right_rest = y->m3 - y_3_new_right,
       y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4,
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4,
       y_4_new_right = y_4_new - y_4_new_a, y_4_new_left = y_4_new - y_4_new_right,
       y_4_new_left_rest = ksl_product_rest(a, x->m4, y_4_new_a, y_4_new_left),
       y_4_new_right_rest = y->m4 - y_4_new_right,
       y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5,
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5,
       y_5_new_right = y_5_new - y_5_new_a, y_5_new_left = y_5_new - y_5_new_right,
       y_5_new_left_rest = ksl_product_rest(a, x->m5, y_5_new_a, y_5_new_left),
       y_5_new_right_rest = y->m5 - y_5_new_right,
@@ -181,12 +181,12 @@ static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   const double co_0_lo = ksl_product_error(a, ci->m0, co_0), co_0_rounded = co_0 + co_0_lo;
   const double co_1_lo = ksl_product_error(a, ci->m1, co_1), co_1_rounded = co_1 + co_1_lo;
   const double co_2_lo = ksl_product_error(a, ci->m2, co_2), co_2_rounded = co_2 + co_2_lo;
@@ -296,32 +296,34 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
-      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
-      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
+      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -346,24 +348,26 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -371,12 +375,12 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -384,51 +388,51 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -437,11 +441,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
-      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = self_0_new_rest * down,
+      self_0_new_small = KSL_MUL(self_0_new_rest, down),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -449,11 +453,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = self_1_new_of_quotient_1 * down,
-      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
+      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = self_1_new_rest * down,
+      self_1_new_small = KSL_MUL(self_1_new_rest, down),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -461,11 +465,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = self_2_new_of_quotient_2 * down,
-      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
+      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = self_2_new_rest * down,
+      self_2_new_small = KSL_MUL(self_2_new_rest, down),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -473,11 +477,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = self_3_new_of_quotient_3 * down,
-      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
+      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = self_3_new_rest * down,
+      self_3_new_small = KSL_MUL(self_3_new_rest, down),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -485,11 +489,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = self_4_new_of_quotient_4 * down,
-      self_4_new_back = self_4_new * self_0_new_inverse,
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
+      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = self_4_new_rest * down,
+      self_4_new_small = KSL_MUL(self_4_new_rest, down),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -497,11 +501,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = self_5_new_of_quotient_5 * down,
-      self_5_new_back = self_5_new * self_0_new_inverse,
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
+      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = self_5_new_rest * down,
+      self_5_new_small = KSL_MUL(self_5_new_rest, down),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -542,24 +546,26 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -567,12 +573,12 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = ci->m0 * up;
-  const double enlarged_1 = ci->m1 * up;
-  const double enlarged_2 = ci->m2 * up;
-  const double enlarged_3 = ci->m3 * up;
-  const double enlarged_4 = ci->m4 * up;
-  const double enlarged_5 = ci->m5 * up;
+  const double enlarged_0 = KSL_MUL(ci->m0, up);
+  const double enlarged_1 = KSL_MUL(ci->m1, up);
+  const double enlarged_2 = KSL_MUL(ci->m2, up);
+  const double enlarged_3 = KSL_MUL(ci->m3, up);
+  const double enlarged_4 = KSL_MUL(ci->m4, up);
+  const double enlarged_5 = KSL_MUL(ci->m5, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -580,51 +586,51 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double co_0_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -633,54 +639,55 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_0_of_quotient_0_left_rest = quotient_0 - co_0_of_quotient_0_left,
       co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right,
       co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
-      co_0 = co_0_of_quotient_0 * down, co_0_inverse = 1.0 / down, co_0_back = co_0 * co_0_inverse,
-      co_0_lost = co_0_of_quotient_0 - co_0_back, co_0_rest = co_0_lost + co_0_of_quotient_0_lo,
-      co_0_small = co_0_rest * down, co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
+      co_0 = KSL_MUL(co_0_of_quotient_0, down), co_0_inverse = 1.0 / down,
+      co_0_back = KSL_MUL(co_0, co_0_inverse), co_0_lost = co_0_of_quotient_0 - co_0_back,
+      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, down),
+      co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
   const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
       co_1_of_quotient_1_left = co_1_of_quotient_1 - co_1_of_quotient_1_right,
       co_1_of_quotient_1_left_rest = quotient_1 - co_1_of_quotient_1_left,
       co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right,
       co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
-      co_1 = co_1_of_quotient_1 * down, co_1_back = co_1 * co_0_inverse,
+      co_1 = KSL_MUL(co_1_of_quotient_1, down), co_1_back = KSL_MUL(co_1, co_0_inverse),
       co_1_lost = co_1_of_quotient_1 - co_1_back, co_1_rest = co_1_lost + co_1_of_quotient_1_lo,
-      co_1_small = co_1_rest * down, co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+      co_1_small = KSL_MUL(co_1_rest, down), co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
   const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
       co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
       co_2_of_quotient_2_left_rest = quotient_2 - co_2_of_quotient_2_left,
       co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right,
       co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
-      co_2 = co_2_of_quotient_2 * down, co_2_back = co_2 * co_0_inverse,
+      co_2 = KSL_MUL(co_2_of_quotient_2, down), co_2_back = KSL_MUL(co_2, co_0_inverse),
       co_2_lost = co_2_of_quotient_2 - co_2_back, co_2_rest = co_2_lost + co_2_of_quotient_2_lo,
-      co_2_small = co_2_rest * down, co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+      co_2_small = KSL_MUL(co_2_rest, down), co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
   const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
       co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
       co_3_of_quotient_3_left_rest = quotient_3 - co_3_of_quotient_3_left,
       co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right,
       co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
-      co_3 = co_3_of_quotient_3 * down, co_3_back = co_3 * co_0_inverse,
+      co_3 = KSL_MUL(co_3_of_quotient_3, down), co_3_back = KSL_MUL(co_3, co_0_inverse),
       co_3_lost = co_3_of_quotient_3 - co_3_back, co_3_rest = co_3_lost + co_3_of_quotient_3_lo,
-      co_3_small = co_3_rest * down, co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+      co_3_small = KSL_MUL(co_3_rest, down), co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
   const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
       co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
       co_4_of_quotient_4_left_rest = quotient_4 - co_4_of_quotient_4_left,
       co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right,
       co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
-      co_4 = co_4_of_quotient_4 * down, co_4_back = co_4 * co_0_inverse,
+      co_4 = KSL_MUL(co_4_of_quotient_4, down), co_4_back = KSL_MUL(co_4, co_0_inverse),
       co_4_lost = co_4_of_quotient_4 - co_4_back, co_4_rest = co_4_lost + co_4_of_quotient_4_lo,
-      co_4_small = co_4_rest * down, co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+      co_4_small = KSL_MUL(co_4_rest, down), co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
   const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
       co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
       co_5_of_quotient_5_left_rest = quotient_5 - co_5_of_quotient_5_left,
       co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right,
       co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
-      co_5 = co_5_of_quotient_5 * down, co_5_back = co_5 * co_0_inverse,
+      co_5 = KSL_MUL(co_5_of_quotient_5, down), co_5_back = KSL_MUL(co_5, co_0_inverse),
       co_5_lost = co_5_of_quotient_5 - co_5_back, co_5_rest = co_5_lost + co_5_of_quotient_5_lo,
-      co_5_small = co_5_rest * down, co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+      co_5_small = KSL_MUL(co_5_rest, down), co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
   const double co_0_rounded = co_0 + co_0_lo,
       co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
   const double co_1_rounded = co_1 + co_1_lo,
@@ -737,7 +744,7 @@ static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscr
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(t->y, ci->m2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(t->z, ci->m1, co_3b, co_3c_right),
@@ -745,7 +752,7 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
       co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3c_lo;
-  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(t->z, ci->m0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(t->x, ci->m2, co_4b, co_4c_right),
@@ -753,7 +760,7 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
       co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4c_lo;
-  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(t->x, ci->m1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(t->y, ci->m0, co_5b, co_5c_right),
@@ -782,7 +789,7 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
@@ -790,7 +797,7 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
       co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3c_lo;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
@@ -798,7 +805,7 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
       co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4c_lo;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
@@ -830,7 +837,7 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
@@ -838,7 +845,7 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
       co_3_right = co_3c - co_3, co_3_left = co_3 + co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest - co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3c_lo;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
@@ -846,7 +853,7 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
       co_4_right = co_4c - co_4, co_4_left = co_4 + co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest - co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4c_lo;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
@@ -872,52 +879,58 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
      over- and underflow. */
 static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
       co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
       co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d,
-      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m02, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = co_0c - co_0_left,
       co_0_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0_right),
       co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
       co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
       co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d,
-      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m12, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = co_1c - co_1_left,
       co_1_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1_right),
       co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
       co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
       co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d,
-      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = co_2c - co_2_left,
       co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
       co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
       co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d,
-      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m02, ci->m5),
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3_right),
       co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
       co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d,
-      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m12, ci->m5),
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4_right),
       co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
       co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d,
-      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = co_5c - co_5_left,
       co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
       co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
@@ -941,52 +954,58 @@ static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_
      over- and underflow. */
 static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
       co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
       co_0c_right_rest = ksl_product_rest(R->m10, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d,
-      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m20, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = co_0c - co_0_left,
       co_0_right_rest = ksl_product_rest(R->m20, ci->m2, co_0d, co_0_right),
       co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
-  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
       co_1c_left_rest = ksl_product_rest(R->m01, ci->m0, co_1a, co_1c_left),
       co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d,
-      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m21, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = co_1c - co_1_left,
       co_1_right_rest = ksl_product_rest(R->m21, ci->m2, co_1d, co_1_right),
       co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
-  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
       co_2c_left_rest = ksl_product_rest(R->m02, ci->m0, co_2a, co_2c_left),
       co_2c_right_rest = ksl_product_rest(R->m12, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d,
-      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = co_2c - co_2_left,
       co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
       co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
       co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(R->m10, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d,
-      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m20, ci->m5),
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ksl_product_rest(R->m20, ci->m5, co_3d, co_3_right),
       co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
-  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
       co_4c_left_rest = ksl_product_rest(R->m01, ci->m3, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d,
-      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m21, ci->m5),
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ksl_product_rest(R->m21, ci->m5, co_4d, co_4_right),
       co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
-  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
       co_5c_left_rest = ksl_product_rest(R->m02, ci->m3, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(R->m12, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d,
-      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = co_5c - co_5_left,
       co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
       co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
   const double co_0_rounded = co_0 + co_0_lo;
@@ -1010,62 +1029,62 @@ static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const k
      over- and underflow. */
 static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
       co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
       co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d,
-      co_0e_right = co_0e - co_0c, co_0e_left = co_0e - co_0e_right,
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m02, ci->m2),
+      co_0e = co_0c + co_0d, co_0e_right = co_0e - co_0c, co_0e_left = co_0e - co_0e_right,
       co_0e_left_rest = co_0c - co_0e_left,
       co_0e_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0e_right),
       co_0e_lo1 = co_0e_left_rest + co_0e_right_rest, co_0e_lo = co_0e_lo1 + co_0c_lo,
       co_0 = -co_0e, co_0_lo = -co_0e_lo;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
       co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
       co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d,
-      co_1e_right = co_1e - co_1c, co_1e_left = co_1e - co_1e_right,
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m12, ci->m2),
+      co_1e = co_1c + co_1d, co_1e_right = co_1e - co_1c, co_1e_left = co_1e - co_1e_right,
       co_1e_left_rest = co_1c - co_1e_left,
       co_1e_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1e_right),
       co_1e_lo1 = co_1e_left_rest + co_1e_right_rest, co_1e_lo = co_1e_lo1 + co_1c_lo,
       co_1 = -co_1e, co_1_lo = -co_1e_lo;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
       co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
       co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d,
-      co_2e_right = co_2e - co_2c, co_2e_left = co_2e - co_2e_right,
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2e = co_2c + co_2d, co_2e_right = co_2e - co_2c, co_2e_left = co_2e - co_2e_right,
       co_2e_left_rest = co_2c - co_2e_left,
       co_2e_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2e_right),
       co_2e_lo1 = co_2e_left_rest + co_2e_right_rest, co_2e_lo = co_2e_lo1 + co_2c_lo,
       co_2 = -co_2e, co_2_lo = -co_2e_lo;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
       co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d,
-      co_3e_right = co_3e - co_3c, co_3e_left = co_3e - co_3e_right,
+      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m02, ci->m5),
+      co_3e = co_3c + co_3d, co_3e_right = co_3e - co_3c, co_3e_left = co_3e - co_3e_right,
       co_3e_left_rest = co_3c - co_3e_left,
       co_3e_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3e_right),
       co_3e_lo1 = co_3e_left_rest + co_3e_right_rest, co_3e_lo = co_3e_lo1 + co_3c_lo,
       co_3 = -co_3e, co_3_lo = -co_3e_lo;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
       co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d,
-      co_4e_right = co_4e - co_4c, co_4e_left = co_4e - co_4e_right,
+      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m12, ci->m5),
+      co_4e = co_4c + co_4d, co_4e_right = co_4e - co_4c, co_4e_left = co_4e - co_4e_right,
       co_4e_left_rest = co_4c - co_4e_left,
       co_4e_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4e_right),
       co_4e_lo1 = co_4e_left_rest + co_4e_right_rest, co_4e_lo = co_4e_lo1 + co_4c_lo,
       co_4 = -co_4e, co_4_lo = -co_4e_lo;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
       co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d,
-      co_5e_right = co_5e - co_5c, co_5e_left = co_5e - co_5e_right,
+      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5e = co_5c + co_5d, co_5e_right = co_5e - co_5c, co_5e_left = co_5e - co_5e_right,
       co_5e_left_rest = co_5c - co_5e_left,
       co_5e_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5e_right),
       co_5e_lo1 = co_5e_left_rest + co_5e_right_rest, co_5e_lo = co_5e_lo1 + co_5c_lo,
@@ -1091,57 +1110,57 @@ static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d,
       w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0_right),
       w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d,
       w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1_right),
       w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d,
       w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2_right),
       w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d,
       w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3_right),
       w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d,
       w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4_right),
       w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d,
       w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5_right),
       w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -1149,9 +1168,9 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -1159,9 +1178,9 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -1190,7 +1209,7 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3c_right = w_3a - w_3c, w_3c_left = w_3c + w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m23, ci->m1, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m13, ci->m2, w_3b, w_3c_right),
@@ -1198,7 +1217,7 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
       w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ci->m3 - w_3_right, w_3_lo1 = w_3_left_rest + w_3_right_rest,
       w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4c_right = w_4a - w_4c, w_4c_left = w_4c + w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m03, ci->m2, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m23, ci->m0, w_4b, w_4c_right),
@@ -1206,7 +1225,7 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
       w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ci->m4 - w_4_right, w_4_lo1 = w_4_left_rest + w_4_right_rest,
       w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5c_right = w_5a - w_5c, w_5c_left = w_5c + w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m13, ci->m0, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m03, ci->m1, w_5b, w_5c_right),
@@ -1214,63 +1233,66 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
       w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ci->m5 - w_5_right, w_5_lo1 = w_5_left_rest + w_5_right_rest,
       w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
       co_0c_left_rest = ksl_product_rest(D->m00, ci->m0, co_0a, co_0c_left),
       co_0c_right_rest = ksl_product_rest(D->m10, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d,
-      co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right, co_0_left_rest = co_0c - co_0_left,
+      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(D->m20, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = co_0c - co_0_left,
       co_0_right_rest = ksl_product_rest(D->m20, ci->m2, co_0d, co_0_right),
       co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
-  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
       co_1c_left_rest = ksl_product_rest(D->m01, ci->m0, co_1a, co_1c_left),
       co_1c_right_rest = ksl_product_rest(D->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d,
-      co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right, co_1_left_rest = co_1c - co_1_left,
+      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(D->m21, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = co_1c - co_1_left,
       co_1_right_rest = ksl_product_rest(D->m21, ci->m2, co_1d, co_1_right),
       co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
-  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
       co_2c_left_rest = ksl_product_rest(D->m02, ci->m0, co_2a, co_2c_left),
       co_2c_right_rest = ksl_product_rest(D->m12, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d,
-      co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right, co_2_left_rest = co_2c - co_2_left,
+      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(D->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = co_2c - co_2_left,
       co_2_right_rest = ksl_product_rest(D->m22, ci->m2, co_2d, co_2_right),
       co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
-  const double co_3a = D->m00 * w_3, co_3a_cross2 = D->m00 * w_3_lo, co_3b = D->m10 * w_4,
-      co_3b_cross2 = D->m10 * w_4_lo, co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a,
-      co_3c_left = co_3c - co_3c_right,
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3a_cross2 = KSL_MUL(D->m00, w_3_lo),
+      co_3b = KSL_MUL(D->m10, w_4), co_3b_cross2 = KSL_MUL(D->m10, w_4_lo), co_3c = co_3a + co_3b,
+      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m00, w_3, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m10, w_4, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 + co_3b_cross2, co_3c_lo1 = co_3c_left_rest + co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3d = D->m20 * w_5, co_3d_cross2 = D->m20 * w_5_lo,
-      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
-      co_3_left_rest = co_3c - co_3_left,
+      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3d = KSL_MUL(D->m20, w_5),
+      co_3d_cross2 = KSL_MUL(D->m20, w_5_lo), co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c,
+      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = ksl_product_rest(D->m20, w_5, co_3d, co_3_right),
       co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo2 = co_3_lo1 + co_3d_cross2,
       co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m01 * w_3, co_4a_cross2 = D->m01 * w_3_lo, co_4b = D->m11 * w_4,
-      co_4b_cross2 = D->m11 * w_4_lo, co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a,
-      co_4c_left = co_4c - co_4c_right,
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4a_cross2 = KSL_MUL(D->m01, w_3_lo),
+      co_4b = KSL_MUL(D->m11, w_4), co_4b_cross2 = KSL_MUL(D->m11, w_4_lo), co_4c = co_4a + co_4b,
+      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m01, w_3, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m11, w_4, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 + co_4b_cross2, co_4c_lo1 = co_4c_left_rest + co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4d = D->m21 * w_5, co_4d_cross2 = D->m21 * w_5_lo,
-      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
-      co_4_left_rest = co_4c - co_4_left,
+      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4d = KSL_MUL(D->m21, w_5),
+      co_4d_cross2 = KSL_MUL(D->m21, w_5_lo), co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c,
+      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = ksl_product_rest(D->m21, w_5, co_4d, co_4_right),
       co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo2 = co_4_lo1 + co_4d_cross2,
       co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m02 * w_3, co_5a_cross2 = D->m02 * w_3_lo, co_5b = D->m12 * w_4,
-      co_5b_cross2 = D->m12 * w_4_lo, co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a,
-      co_5c_left = co_5c - co_5c_right,
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5a_cross2 = KSL_MUL(D->m02, w_3_lo),
+      co_5b = KSL_MUL(D->m12, w_4), co_5b_cross2 = KSL_MUL(D->m12, w_4_lo), co_5c = co_5a + co_5b,
+      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m02, w_3, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m12, w_4, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 + co_5b_cross2, co_5c_lo1 = co_5c_left_rest + co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5d = D->m22 * w_5, co_5d_cross2 = D->m22 * w_5_lo,
-      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
-      co_5_left_rest = co_5c - co_5_left,
+      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5d = KSL_MUL(D->m22, w_5),
+      co_5d_cross2 = KSL_MUL(D->m22, w_5_lo), co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c,
+      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
       co_5_right_rest = ksl_product_rest(D->m22, w_5, co_5d, co_5_right),
       co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo2 = co_5_lo1 + co_5d_cross2,
       co_5_lo = co_5_lo2 + co_5c_lo;
@@ -1295,63 +1317,69 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d,
-      w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right, w_0e_left_rest = w_0c - w_0e_left,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, ci->m2),
+      w_0e = w_0c + w_0d, w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right,
+      w_0e_left_rest = w_0c - w_0e_left,
       w_0e_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0e_right),
       w_0e_lo1 = w_0e_left_rest + w_0e_right_rest, w_0e_lo = w_0e_lo1 + w_0c_lo, w_0 = -w_0e,
       w_0_lo = -w_0e_lo;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d,
-      w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right, w_1e_left_rest = w_1c - w_1e_left,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, ci->m2),
+      w_1e = w_1c + w_1d, w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right,
+      w_1e_left_rest = w_1c - w_1e_left,
       w_1e_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1e_right),
       w_1e_lo1 = w_1e_left_rest + w_1e_right_rest, w_1e_lo = w_1e_lo1 + w_1c_lo, w_1 = -w_1e,
       w_1_lo = -w_1e_lo;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d,
-      w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right, w_2e_left_rest = w_2c - w_2e_left,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, ci->m2),
+      w_2e = w_2c + w_2d, w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right,
+      w_2e_left_rest = w_2c - w_2e_left,
       w_2e_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2e_right),
       w_2e_lo1 = w_2e_left_rest + w_2e_right_rest, w_2e_lo = w_2e_lo1 + w_2c_lo, w_2 = -w_2e,
       w_2_lo = -w_2e_lo;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d,
-      w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right, w_3e_left_rest = w_3c - w_3e_left,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, ci->m5),
+      w_3e = w_3c + w_3d, w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right,
+      w_3e_left_rest = w_3c - w_3e_left,
       w_3e_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3e_right),
       w_3e_lo1 = w_3e_left_rest + w_3e_right_rest, w_3e_lo = w_3e_lo1 + w_3c_lo, w_3 = -w_3e,
       w_3_lo = -w_3e_lo;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d,
-      w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right, w_4e_left_rest = w_4c - w_4e_left,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, ci->m5),
+      w_4e = w_4c + w_4d, w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right,
+      w_4e_left_rest = w_4c - w_4e_left,
       w_4e_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4e_right),
       w_4e_lo1 = w_4e_left_rest + w_4e_right_rest, w_4e_lo = w_4e_lo1 + w_4c_lo, w_4 = -w_4e,
       w_4_lo = -w_4e_lo;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d,
-      w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right, w_5e_left_rest = w_5c - w_5e_left,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, ci->m5),
+      w_5e = w_5c + w_5d, w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right,
+      w_5e_left_rest = w_5c - w_5e_left,
       w_5e_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5e_right),
       w_5e_lo1 = w_5e_left_rest + w_5e_right_rest, w_5e_lo = w_5e_lo1 + w_5c_lo, w_5 = -w_5e,
       w_5_lo = -w_5e_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -1359,9 +1387,9 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -1369,9 +1397,9 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -1399,18 +1427,18 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m20, D->m13, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m10, D->m23, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m00, D->m23, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m20, D->m03, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m10, D->m03, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m00, D->m13, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1434,18 +1462,18 @@ static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m21, D->m13, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m11, D->m23, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m01, D->m23, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m21, D->m03, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m11, D->m03, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m01, D->m13, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1469,18 +1497,18 @@ static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m22, D->m13, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m12, D->m23, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m02, D->m23, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m22, D->m03, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m12, D->m03, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m02, D->m13, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1507,18 +1535,18 @@ static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m10, D->m23, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m20, D->m13, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m20, D->m03, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m00, D->m23, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m00, D->m13, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m10, D->m03, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1542,18 +1570,18 @@ static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m11, D->m23, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m21, D->m13, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m21, D->m03, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m01, D->m23, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m01, D->m13, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m11, D->m03, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1577,18 +1605,18 @@ static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m12, D->m23, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m22, D->m13, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m22, D->m03, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m02, D->m23, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m02, D->m13, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m12, D->m03, co_5b, co_5_right),
       co_5_lo = co_5_left_rest - co_5_right_rest;
@@ -1609,48 +1637,48 @@ static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b,
-      M_30_right = M_30a - M_30, M_30_left = M_30 + M_30_right,
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
+      M_30 = M_30a - M_30b, M_30_right = M_30a - M_30, M_30_left = M_30 + M_30_right,
       M_30_left_rest = ksl_product_rest(D->m20, D->m13, M_30a, M_30_left),
       M_30_right_rest = ksl_product_rest(D->m10, D->m23, M_30b, M_30_right),
       M_30_lo = M_30_left_rest - M_30_right_rest;
-  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b,
-      M_31_right = M_31a - M_31, M_31_left = M_31 + M_31_right,
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
+      M_31 = M_31a - M_31b, M_31_right = M_31a - M_31, M_31_left = M_31 + M_31_right,
       M_31_left_rest = ksl_product_rest(D->m21, D->m13, M_31a, M_31_left),
       M_31_right_rest = ksl_product_rest(D->m11, D->m23, M_31b, M_31_right),
       M_31_lo = M_31_left_rest - M_31_right_rest;
-  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b,
-      M_32_right = M_32a - M_32, M_32_left = M_32 + M_32_right,
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
+      M_32 = M_32a - M_32b, M_32_right = M_32a - M_32, M_32_left = M_32 + M_32_right,
       M_32_left_rest = ksl_product_rest(D->m22, D->m13, M_32a, M_32_left),
       M_32_right_rest = ksl_product_rest(D->m12, D->m23, M_32b, M_32_right),
       M_32_lo = M_32_left_rest - M_32_right_rest;
-  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b,
-      M_40_right = M_40a - M_40, M_40_left = M_40 + M_40_right,
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
+      M_40 = M_40a - M_40b, M_40_right = M_40a - M_40, M_40_left = M_40 + M_40_right,
       M_40_left_rest = ksl_product_rest(D->m00, D->m23, M_40a, M_40_left),
       M_40_right_rest = ksl_product_rest(D->m20, D->m03, M_40b, M_40_right),
       M_40_lo = M_40_left_rest - M_40_right_rest;
-  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b,
-      M_41_right = M_41a - M_41, M_41_left = M_41 + M_41_right,
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
+      M_41 = M_41a - M_41b, M_41_right = M_41a - M_41, M_41_left = M_41 + M_41_right,
       M_41_left_rest = ksl_product_rest(D->m01, D->m23, M_41a, M_41_left),
       M_41_right_rest = ksl_product_rest(D->m21, D->m03, M_41b, M_41_right),
       M_41_lo = M_41_left_rest - M_41_right_rest;
-  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b,
-      M_42_right = M_42a - M_42, M_42_left = M_42 + M_42_right,
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
+      M_42 = M_42a - M_42b, M_42_right = M_42a - M_42, M_42_left = M_42 + M_42_right,
       M_42_left_rest = ksl_product_rest(D->m02, D->m23, M_42a, M_42_left),
       M_42_right_rest = ksl_product_rest(D->m22, D->m03, M_42b, M_42_right),
       M_42_lo = M_42_left_rest - M_42_right_rest;
-  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b,
-      M_50_right = M_50a - M_50, M_50_left = M_50 + M_50_right,
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
+      M_50 = M_50a - M_50b, M_50_right = M_50a - M_50, M_50_left = M_50 + M_50_right,
       M_50_left_rest = ksl_product_rest(D->m10, D->m03, M_50a, M_50_left),
       M_50_right_rest = ksl_product_rest(D->m00, D->m13, M_50b, M_50_right),
       M_50_lo = M_50_left_rest - M_50_right_rest;
-  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b,
-      M_51_right = M_51a - M_51, M_51_left = M_51 + M_51_right,
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
+      M_51 = M_51a - M_51b, M_51_right = M_51a - M_51, M_51_left = M_51 + M_51_right,
       M_51_left_rest = ksl_product_rest(D->m11, D->m03, M_51a, M_51_left),
       M_51_right_rest = ksl_product_rest(D->m01, D->m13, M_51b, M_51_right),
       M_51_lo = M_51_left_rest - M_51_right_rest;
-  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b,
-      M_52_right = M_52a - M_52, M_52_left = M_52 + M_52_right,
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
+      M_52 = M_52a - M_52b, M_52_right = M_52a - M_52, M_52_left = M_52 + M_52_right,
       M_52_left_rest = ksl_product_rest(D->m12, D->m03, M_52a, M_52_left),
       M_52_right_rest = ksl_product_rest(D->m02, D->m13, M_52b, M_52_right),
       M_52_lo = M_52_left_rest - M_52_right_rest;
@@ -1716,20 +1744,21 @@ static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 19 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_c_right = power_c - power_a, power_c_left = power_c - power_c_right,
+  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
+      power_c = power_a + power_b, power_c_right = power_c - power_a,
+      power_c_left = power_c - power_c_right,
       power_c_left_rest = ksl_product_rest(c->m0, x[3], power_a, power_c_left),
       power_c_right_rest = ksl_product_rest(c->m1, x[4], power_b, power_c_right),
-      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = c->m2 * x[5],
+      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = KSL_MUL(c->m2, x[5]),
       power_e = power_c + power_d, power_e_right = power_e - power_c,
       power_e_left = power_e - power_e_right, power_e_left_rest = power_c - power_e_left,
       power_e_right_rest = ksl_product_rest(c->m2, x[5], power_d, power_e_right),
       power_e_lo1 = power_e_left_rest + power_e_right_rest, power_e_lo = power_e_lo1 + power_c_lo,
-      power_f = c->m3 * x[0], power_g = c->m4 * x[1], power_h = power_f + power_g,
+      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
       power_h_right = power_h - power_f, power_h_left = power_h - power_h_right,
       power_h_left_rest = ksl_product_rest(c->m3, x[0], power_f, power_h_left),
       power_h_right_rest = ksl_product_rest(c->m4, x[1], power_g, power_h_right),
-      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = c->m5 * x[2],
+      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = KSL_MUL(c->m5, x[2]),
       power_j = power_h + power_i, power_j_right = power_j - power_h,
       power_j_left = power_j - power_j_right, power_j_left_rest = power_h - power_j_left,
       power_j_right_rest = ksl_product_rest(c->m5, x[2], power_i, power_j_right),
@@ -1749,51 +1778,54 @@ static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, con
      formula; barring over- and underflow. */
 static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b,
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b,
       co_0_right = co_0a - co_0, co_0_left = co_0 + co_0_right,
       co_0_left_rest = ksl_product_rest(s->m4, c->m2, co_0a, co_0_left),
       co_0_right_rest = ksl_product_rest(s->m5, c->m1, co_0b, co_0_right),
       co_0_lo = co_0_left_rest - co_0_right_rest;
-  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b,
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b,
       co_1_right = co_1a - co_1, co_1_left = co_1 + co_1_right,
       co_1_left_rest = ksl_product_rest(s->m5, c->m0, co_1a, co_1_left),
       co_1_right_rest = ksl_product_rest(s->m3, c->m2, co_1b, co_1_right),
       co_1_lo = co_1_left_rest - co_1_right_rest;
-  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b,
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b,
       co_2_right = co_2a - co_2, co_2_left = co_2 + co_2_right,
       co_2_left_rest = ksl_product_rest(s->m3, c->m1, co_2a, co_2_left),
       co_2_right_rest = ksl_product_rest(s->m4, c->m0, co_2b, co_2_right),
       co_2_lo = co_2_left_rest - co_2_right_rest;
-  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
       co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(s->m1, c->m2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(s->m2, c->m1, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4,
-      co_3f = co_3d - co_3e, co_3f_right = co_3d - co_3f, co_3f_left = co_3f + co_3f_right,
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = KSL_MUL(s->m4, c->m5),
+      co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e, co_3f_right = co_3d - co_3f,
+      co_3f_left = co_3f + co_3f_right,
       co_3f_left_rest = ksl_product_rest(s->m4, c->m5, co_3d, co_3f_left),
       co_3f_right_rest = ksl_product_rest(s->m5, c->m4, co_3e, co_3f_right),
       co_3f_lo = co_3f_left_rest - co_3f_right_rest, co_3 = co_3c + co_3f,
       co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = co_3f - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + co_3f_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
       co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(s->m2, c->m0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(s->m0, c->m2, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5,
-      co_4f = co_4d - co_4e, co_4f_right = co_4d - co_4f, co_4f_left = co_4f + co_4f_right,
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = KSL_MUL(s->m5, c->m3),
+      co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e, co_4f_right = co_4d - co_4f,
+      co_4f_left = co_4f + co_4f_right,
       co_4f_left_rest = ksl_product_rest(s->m5, c->m3, co_4d, co_4f_left),
       co_4f_right_rest = ksl_product_rest(s->m3, c->m5, co_4e, co_4f_right),
       co_4f_lo = co_4f_left_rest - co_4f_right_rest, co_4 = co_4c + co_4f,
       co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = co_4f - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + co_4f_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
       co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(s->m0, c->m1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(s->m1, c->m0, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3,
-      co_5f = co_5d - co_5e, co_5f_right = co_5d - co_5f, co_5f_left = co_5f + co_5f_right,
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = KSL_MUL(s->m3, c->m4),
+      co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e, co_5f_right = co_5d - co_5f,
+      co_5f_left = co_5f + co_5f_right,
       co_5f_left_rest = ksl_product_rest(s->m3, c->m4, co_5d, co_5f_left),
       co_5f_right_rest = ksl_product_rest(s->m4, c->m3, co_5e, co_5f_right),
       co_5f_lo = co_5f_left_rest - co_5f_right_rest, co_5 = co_5c + co_5f,
@@ -1821,17 +1853,17 @@ static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew
      formula; barring over- and underflow. */
 static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b,
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b,
       co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(s->m4, c->m5, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(s->m5, c->m4, co_3b, co_3_right),
       co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b,
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b,
       co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(s->m5, c->m3, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(s->m3, c->m5, co_4b, co_4_right),
       co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b,
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b,
       co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(s->m3, c->m4, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(s->m4, c->m3, co_5b, co_5_right),
@@ -1854,48 +1886,48 @@ static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b,
       w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
       w_0_left_rest = ksl_product_rest(D->m01, c->m1, w_0a, w_0_left),
       w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
       w_0_lo = w_0_left_rest + w_0_right_rest;
-  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b,
       w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
       w_1_left_rest = ksl_product_rest(D->m11, c->m1, w_1a, w_1_left),
       w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
       w_1_lo = w_1_left_rest + w_1_right_rest;
-  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b,
       w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
       w_2_left_rest = ksl_product_rest(D->m21, c->m1, w_2a, w_2_left),
       w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
       w_2_lo = w_2_left_rest + w_2_right_rest;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
       w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
       w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
       w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
       w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
       w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
       w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -1903,9 +1935,9 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -1913,9 +1945,9 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -1944,48 +1976,48 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b,
       w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
       w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
       w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
       w_0_lo = w_0_left_rest + w_0_right_rest;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b,
       w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
       w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
       w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
       w_1_lo = w_1_left_rest + w_1_right_rest;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b,
       w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
       w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
       w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
       w_2_lo = w_2_left_rest + w_2_right_rest;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
       w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
       w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
       w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
       w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
       w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
       w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -1993,9 +2025,9 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -2003,9 +2035,9 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -2034,48 +2066,48 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b,
       w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
       w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
       w_0_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0_right),
       w_0_lo = w_0_left_rest + w_0_right_rest;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b,
       w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
       w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
       w_1_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1_right),
       w_1_lo = w_1_left_rest + w_1_right_rest;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b,
       w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
       w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
       w_2_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2_right),
       w_2_lo = w_2_left_rest + w_2_right_rest;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
       w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
       w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
       w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
       w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
       w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
       w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -2083,9 +2115,9 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -2093,9 +2125,9 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -2124,48 +2156,48 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
       w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
       w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
       w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
       w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
       w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
       w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
-  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b,
       w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
       w_3_left_rest = ksl_product_rest(D->m01, c->m4, w_3a, w_3_left),
       w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
       w_3_lo = w_3_left_rest + w_3_right_rest;
-  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b,
       w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
       w_4_left_rest = ksl_product_rest(D->m11, c->m4, w_4a, w_4_left),
       w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
       w_4_lo = w_4_left_rest + w_4_right_rest;
-  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b,
       w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
       w_5_left_rest = ksl_product_rest(D->m21, c->m4, w_5a, w_5_left),
       w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
       w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -2173,9 +2205,9 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -2183,9 +2215,9 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -2214,48 +2246,48 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
       w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
       w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
       w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
       w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
       w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
       w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b,
       w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
       w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
       w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
       w_3_lo = w_3_left_rest + w_3_right_rest;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b,
       w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
       w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
       w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
       w_4_lo = w_4_left_rest + w_4_right_rest;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b,
       w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
       w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
       w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
       w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -2263,9 +2295,9 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -2273,9 +2305,9 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -2304,48 +2336,48 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
       w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
       w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
       w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
       w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
       w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
       w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b,
       w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
       w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
       w_3_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3_right),
       w_3_lo = w_3_left_rest + w_3_right_rest;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b,
       w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
       w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
       w_4_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4_right),
       w_4_lo = w_4_left_rest + w_4_right_rest;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b,
       w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
       w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
       w_5_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5_right),
       w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = D->m13 * w_2, co_3a_cross2 = D->m13 * w_2_lo, co_3b = D->m23 * w_1,
-      co_3b_cross2 = D->m23 * w_1_lo, co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c,
-      co_3c_left = co_3c + co_3c_right,
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
       co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
       co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
       co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
@@ -2353,9 +2385,9 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
       co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
       co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = D->m23 * w_0, co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2,
-      co_4b_cross2 = D->m03 * w_2_lo, co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c,
-      co_4c_left = co_4c + co_4c_right,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
+      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
       co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
       co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
       co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
@@ -2363,9 +2395,9 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
       co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
       co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
       co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c,
-      co_5c_left = co_5c + co_5c_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
       co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
       co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
       co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
@@ -2394,27 +2426,28 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double w_2_lo = ksl_product_error(D->m20, c->m0, w_2), co_3a = D->m13 * w_2,
-      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m10, c->m0, w_1),
-      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double w_2_lo = ksl_product_error(D->m20, c->m0, w_2), co_3a = KSL_MUL(D->m13, w_2),
+      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m10, c->m0, w_1),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
       co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
       co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3_cross;
-  const double w_0_lo = ksl_product_error(D->m00, c->m0, w_0), co_4a = D->m23 * w_0,
-      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double w_0_lo = ksl_product_error(D->m00, c->m0, w_0), co_4a = KSL_MUL(D->m23, w_0),
+      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
+      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
       co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
-      co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
       co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
@@ -2440,27 +2473,28 @@ static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double w_2_lo = ksl_product_error(D->m21, c->m1, w_2), co_3a = D->m13 * w_2,
-      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m11, c->m1, w_1),
-      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double w_2_lo = ksl_product_error(D->m21, c->m1, w_2), co_3a = KSL_MUL(D->m13, w_2),
+      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m11, c->m1, w_1),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
       co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
       co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3_cross;
-  const double w_0_lo = ksl_product_error(D->m01, c->m1, w_0), co_4a = D->m23 * w_0,
-      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double w_0_lo = ksl_product_error(D->m01, c->m1, w_0), co_4a = KSL_MUL(D->m23, w_0),
+      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
+      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
       co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
-      co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
       co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
@@ -2486,27 +2520,28 @@ static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double w_2_lo = ksl_product_error(D->m22, c->m2, w_2), co_3a = D->m13 * w_2,
-      co_3a_cross2 = D->m13 * w_2_lo, w_1_lo = ksl_product_error(D->m12, c->m2, w_1),
-      co_3b = D->m23 * w_1, co_3b_cross2 = D->m23 * w_1_lo, co_3 = co_3a - co_3b,
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double w_2_lo = ksl_product_error(D->m22, c->m2, w_2), co_3a = KSL_MUL(D->m13, w_2),
+      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m12, c->m2, w_1),
+      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
       co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
       co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
       co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
       co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
       co_3_lo = co_3_lo1 + co_3_cross;
-  const double w_0_lo = ksl_product_error(D->m02, c->m2, w_0), co_4a = D->m23 * w_0,
-      co_4a_cross2 = D->m23 * w_0_lo, co_4b = D->m03 * w_2, co_4b_cross2 = D->m03 * w_2_lo,
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
+  const double w_0_lo = ksl_product_error(D->m02, c->m2, w_0), co_4a = KSL_MUL(D->m23, w_0),
+      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
+      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_left = co_4 + co_4_right,
       co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
       co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
       co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
       co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = D->m03 * w_1, co_5a_cross2 = D->m03 * w_1_lo, co_5b = D->m13 * w_0,
-      co_5b_cross2 = D->m13 * w_0_lo, co_5 = co_5a - co_5b, co_5_right = co_5a - co_5,
-      co_5_left = co_5 + co_5_right,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
+      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
       co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
       co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
       co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
@@ -2531,9 +2566,9 @@ static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   const double w_3_lo = ksl_product_error(D->m00, c->m3, w_3), w_3_rounded = w_3 + w_3_lo;
   const double w_4_lo = ksl_product_error(D->m10, c->m3, w_4), w_4_rounded = w_4 + w_4_lo;
   const double w_5_lo = ksl_product_error(D->m20, c->m3, w_5), w_5_rounded = w_5 + w_5_lo;
@@ -2551,9 +2586,9 @@ static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   const double w_3_lo = ksl_product_error(D->m01, c->m4, w_3), w_3_rounded = w_3 + w_3_lo;
   const double w_4_lo = ksl_product_error(D->m11, c->m4, w_4), w_4_rounded = w_4 + w_4_lo;
   const double w_5_lo = ksl_product_error(D->m21, c->m4, w_5), w_5_rounded = w_5 + w_5_lo;
@@ -2571,9 +2606,9 @@ static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   const double w_3_lo = ksl_product_error(D->m02, c->m5, w_3), w_3_rounded = w_3 + w_3_lo;
   const double w_4_lo = ksl_product_error(D->m12, c->m5, w_4), w_4_rounded = w_4 + w_4_lo;
   const double w_5_lo = ksl_product_error(D->m22, c->m5, w_5), w_5_rounded = w_5 + w_5_lo;
@@ -2748,15 +2783,15 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return (float)norm;
 }
 
@@ -2779,32 +2814,32 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->m0 * up;
-  const double enlarged_1 = (double)self->m1 * up;
-  const double enlarged_2 = (double)self->m2 * up;
-  const double enlarged_3 = (double)self->m3 * up;
-  const double enlarged_4 = (double)self->m4 * up;
-  const double enlarged_5 = (double)self->m5 * up;
+  const double enlarged_0 = KSL_MUL((double)self->m0, up);
+  const double enlarged_1 = KSL_MUL((double)self->m1, up);
+  const double enlarged_2 = KSL_MUL((double)self->m2, up);
+  const double enlarged_3 = KSL_MUL((double)self->m3, up);
+  const double enlarged_4 = KSL_MUL((double)self->m4, up);
+  const double enlarged_5 = KSL_MUL((double)self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2832,32 +2867,32 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)ci->m0 * up;
-  const double enlarged_1 = (double)ci->m1 * up;
-  const double enlarged_2 = (double)ci->m2 * up;
-  const double enlarged_3 = (double)ci->m3 * up;
-  const double enlarged_4 = (double)ci->m4 * up;
-  const double enlarged_5 = (double)ci->m5 * up;
+  const double enlarged_0 = KSL_MUL((double)ci->m0, up);
+  const double enlarged_1 = KSL_MUL((double)ci->m1, up);
+  const double enlarged_2 = KSL_MUL((double)ci->m2, up);
+  const double enlarged_3 = KSL_MUL((double)ci->m3, up);
+  const double enlarged_4 = KSL_MUL((double)ci->m4, up);
+  const double enlarged_5 = KSL_MUL((double)ci->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = quotient_0 * down;
-  const double co_1 = quotient_1 * down;
-  const double co_2 = quotient_2 * down;
-  const double co_3 = quotient_3 * down;
-  const double co_4 = quotient_4 * down;
-  const double co_5 = quotient_5 * down;
+  const double co_0 = KSL_MUL(quotient_0, down);
+  const double co_1 = KSL_MUL(quotient_1, down);
+  const double co_2 = KSL_MUL(quotient_2, down);
+  const double co_3 = KSL_MUL(quotient_3, down);
+  const double co_4 = KSL_MUL(quotient_4, down);
+  const double co_5 = KSL_MUL(quotient_5, down);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3065,12 +3100,12 @@ static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_co
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4 = w_4c + w_4d;
   const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5 = w_5c + w_5d;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3098,12 +3133,12 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
       co_1c = co_1a + co_1b, co_1d = (double)D->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
   const double co_2a = (double)D->m02 * (double)ci->m0, co_2b = (double)D->m12 * (double)ci->m1,
       co_2c = co_2a + co_2b, co_2d = (double)D->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = (double)D->m00 * w_3, co_3b = (double)D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = (double)D->m20 * w_5, co_3 = co_3c + co_3d;
-  const double co_4a = (double)D->m01 * w_3, co_4b = (double)D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = (double)D->m21 * w_5, co_4 = co_4c + co_4d;
-  const double co_5a = (double)D->m02 * w_3, co_5b = (double)D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = (double)D->m22 * w_5, co_5 = co_5c + co_5d;
+  const double co_3a = KSL_MUL((double)D->m00, w_3), co_3b = KSL_MUL((double)D->m10, w_4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL((double)D->m20, w_5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL((double)D->m01, w_3), co_4b = KSL_MUL((double)D->m11, w_4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL((double)D->m21, w_5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL((double)D->m02, w_3), co_5b = KSL_MUL((double)D->m12, w_4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL((double)D->m22, w_5), co_5 = co_5c + co_5d;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3131,12 +3166,12 @@ static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
   const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3439,12 +3474,12 @@ static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
   const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3472,12 +3507,12 @@ static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
   const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3505,12 +3540,12 @@ static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
   const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3538,12 +3573,12 @@ static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4 = w_4a + w_4b;
   const double w_5a = (double)D->m21 * (double)c->m4, w_5b = (double)D->m22 * (double)c->m5,
       w_5 = w_5a + w_5b;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3571,12 +3606,12 @@ static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4 = w_4a + w_4b;
   const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m22 * (double)c->m5,
       w_5 = w_5a + w_5b;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3604,12 +3639,12 @@ static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_c
       w_4 = w_4a + w_4b;
   const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
       w_5 = w_5a + w_5b;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3628,9 +3663,12 @@ static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_cosc
   const double w_0 = (double)D->m00 * (double)c->m0;
   const double w_1 = (double)D->m10 * (double)c->m0;
   const double w_2 = (double)D->m20 * (double)c->m0;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5 = co_5a - co_5b;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3649,9 +3687,12 @@ static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_cosc
   const double w_0 = (double)D->m01 * (double)c->m1;
   const double w_1 = (double)D->m11 * (double)c->m1;
   const double w_2 = (double)D->m21 * (double)c->m1;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5 = co_5a - co_5b;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3670,9 +3711,12 @@ static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_cosc
   const double w_0 = (double)D->m02 * (double)c->m2;
   const double w_1 = (double)D->m12 * (double)c->m2;
   const double w_2 = (double)D->m22 * (double)c->m2;
-  const double co_3a = (double)D->m13 * w_2, co_3b = (double)D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m23 * w_0, co_4b = (double)D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m03 * w_1, co_5b = (double)D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
+      co_5 = co_5a - co_5b;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;

@@ -13,30 +13,30 @@
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrew_scale_certified(ksl_coscrew_t *self, const double a,
     ksl_coscrew_t *self_bound) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -56,12 +56,12 @@ static inline void ksl_coscrew_scale_certified(ksl_coscrew_t *self, const double
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y,
     ksl_coscrew_t *y_bound) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->m1),
@@ -75,17 +75,17 @@ static inline void ksl_axpy_cc_certified(const double a, const ksl_coscrew_t *x,
   const double y_5_new_a_abs = fabs(y_5_new_a), y_5_abs = fabs(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = 2.2204460492503136e-16 * y_0_new_padded;
+      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
   const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = 2.2204460492503136e-16 * y_1_new_padded;
+      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
   const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = 2.2204460492503136e-16 * y_2_new_padded;
+      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
   const double y_3_new_padded = y_3_new_size + 2.004168360008973e-292,
-      y_3_new_error_bound = 2.2204460492503136e-16 * y_3_new_padded;
+      y_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_padded);
   const double y_4_new_padded = y_4_new_size + 2.004168360008973e-292,
-      y_4_new_error_bound = 2.2204460492503136e-16 * y_4_new_padded;
+      y_4_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_padded);
   const double y_5_new_padded = y_5_new_size + 2.004168360008973e-292,
-      y_5_new_error_bound = 2.2204460492503136e-16 * y_5_new_padded;
+      y_5_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -112,17 +112,17 @@ static inline void ksl_xpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *y
   const double y_4_new = x->m4 + y->m4;
   const double y_5_new = x->m5 + y->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -149,17 +149,17 @@ static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *
   const double y_4_new = y->m4 - x->m4;
   const double y_5_new = y->m5 - x->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -179,24 +179,24 @@ static inline void ksl_nxpy_cc_certified(const ksl_coscrew_t *x, ksl_coscrew_t *
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_ac_certified(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0 = a * ci->m0;
-  const double co_1 = a * ci->m1;
-  const double co_2 = a * ci->m2;
-  const double co_3 = a * ci->m3;
-  const double co_4 = a * ci->m4;
-  const double co_5 = a * ci->m5;
+  const double co_0 = KSL_MUL(a, ci->m0);
+  const double co_1 = KSL_MUL(a, ci->m1);
+  const double co_2 = KSL_MUL(a, ci->m2);
+  const double co_3 = KSL_MUL(a, ci->m3);
+  const double co_4 = KSL_MUL(a, ci->m4);
+  const double co_5 = KSL_MUL(a, ci->m5);
   const double co_0_abs = fabs(co_0), co_0_padded = co_0_abs + 2.004168360008973e-292,
-      co_0_error_bound = 1.1102230246251568e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_padded);
   const double co_1_abs = fabs(co_1), co_1_padded = co_1_abs + 2.004168360008973e-292,
-      co_1_error_bound = 1.1102230246251568e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_padded);
   const double co_2_abs = fabs(co_2), co_2_padded = co_2_abs + 2.004168360008973e-292,
-      co_2_error_bound = 1.1102230246251568e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_padded);
   const double co_3_abs = fabs(co_3), co_3_padded = co_3_abs + 2.004168360008973e-292,
-      co_3_error_bound = 1.1102230246251568e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_padded);
   const double co_4_abs = fabs(co_4), co_4_padded = co_4_abs + 2.004168360008973e-292,
-      co_4_error_bound = 1.1102230246251568e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_padded);
   const double co_5_abs = fabs(co_5), co_5_padded = co_5_abs + 2.004168360008973e-292,
-      co_5_error_bound = 1.1102230246251568e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -222,12 +222,12 @@ static inline void ksl_add_cc_certified(const ksl_coscrew_t *c1, const ksl_coscr
   const double co_3 = c1->m3 + c2->m3;
   const double co_4 = c1->m4 + c2->m4;
   const double co_5 = c1->m5 + c2->m5;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
-  const double co_3_abs = fabs(co_3), co_3_error_bound = 1.1102230246251568e-16 * co_3_abs;
-  const double co_4_abs = fabs(co_4), co_4_error_bound = 1.1102230246251568e-16 * co_4_abs;
-  const double co_5_abs = fabs(co_5), co_5_error_bound = 1.1102230246251568e-16 * co_5_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
+  const double co_3_abs = fabs(co_3), co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_abs);
+  const double co_4_abs = fabs(co_4), co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_abs);
+  const double co_5_abs = fabs(co_5), co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -253,12 +253,12 @@ static inline void ksl_subtract_cc_certified(const ksl_coscrew_t *c1, const ksl_
   const double co_3 = c1->m3 - c2->m3;
   const double co_4 = c1->m4 - c2->m4;
   const double co_5 = c1->m5 - c2->m5;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
-  const double co_3_abs = fabs(co_3), co_3_error_bound = 1.1102230246251568e-16 * co_3_abs;
-  const double co_4_abs = fabs(co_4), co_4_error_bound = 1.1102230246251568e-16 * co_4_abs;
-  const double co_5_abs = fabs(co_5), co_5_error_bound = 1.1102230246251568e-16 * co_5_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
+  const double co_3_abs = fabs(co_3), co_3_error_bound = KSL_MUL(1.1102230246251568e-16, co_3_abs);
+  const double co_4_abs = fabs(co_4), co_4_error_bound = KSL_MUL(1.1102230246251568e-16, co_4_abs);
+  const double co_5_abs = fabs(co_5), co_5_error_bound = KSL_MUL(1.1102230246251568e-16, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -281,9 +281,9 @@ static inline void ksl_add_cct_certified(const ksl_coscrew_t *c1, const ksl_cosc
   const double co_0 = c1->m0 + c2->m0;
   const double co_1 = c1->m1 + c2->m1;
   const double co_2 = c1->m2 + c2->m2;
-  const double co_0_abs = fabs(co_0), co_0_error_bound = 1.1102230246251568e-16 * co_0_abs;
-  const double co_1_abs = fabs(co_1), co_1_error_bound = 1.1102230246251568e-16 * co_1_abs;
-  const double co_2_abs = fabs(co_2), co_2_error_bound = 1.1102230246251568e-16 * co_2_abs;
+  const double co_0_abs = fabs(co_0), co_0_error_bound = KSL_MUL(1.1102230246251568e-16, co_0_abs);
+  const double co_1_abs = fabs(co_1), co_1_error_bound = KSL_MUL(1.1102230246251568e-16, co_1_abs);
+  const double co_2_abs = fabs(co_2), co_2_error_bound = KSL_MUL(1.1102230246251568e-16, co_2_abs);
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -306,11 +306,11 @@ static inline void ksl_add_cct_certified(const ksl_coscrew_t *c1, const ksl_cosc
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -319,11 +319,11 @@ static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_c
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -346,11 +346,11 @@ static inline void ksl_product_CoAdtc_certified(const ksl_vec3_t *t, const ksl_c
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -359,11 +359,11 @@ static inline void ksl_product_CoAdtinvc_certified(const ksl_vec3_t *t, const ks
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -389,11 +389,11 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
   const double co_0 = -ci->m0;
   const double co_1 = -ci->m1;
   const double co_2 = -ci->m2;
-  const double co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const double co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const double co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
       ci_3_abs = fabs(ci->m3), co_3_size = co_3c_size + ci_3_abs;
@@ -402,11 +402,11 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       ci_5_abs = fabs(ci->m5), co_5_size = co_5c_size + ci_5_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -426,18 +426,18 @@ static inline void ksl_product_CoAdtcinv_certified(const ksl_vec3_t *t, const ks
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -451,17 +451,17 @@ static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5_size = co_5c_size + co_5d_abs;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -481,18 +481,18 @@ static inline void ksl_product_CoAdrc_certified(const ksl_mat3x3_t *R, const ksl
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -506,17 +506,17 @@ static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const 
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5_size = co_5c_size + co_5d_abs;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -536,18 +536,18 @@ static inline void ksl_product_CoAdrinvc_certified(const ksl_mat3x3_t *R, const 
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0c_size = co_0a_abs + co_0b_abs,
       co_0d_abs = fabs(co_0d), co_0e_size = co_0c_size + co_0d_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1c_size = co_1a_abs + co_1b_abs,
@@ -561,17 +561,17 @@ static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const 
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
       co_5d_abs = fabs(co_5d), co_5e_size = co_5c_size + co_5d_abs;
   const double co_0e_padded = co_0e_size + 2.004168360008973e-292,
-      co_0e_error_bound = 3.3306690738754706e-16 * co_0e_padded;
+      co_0e_error_bound = KSL_MUL(3.3306690738754706e-16, co_0e_padded);
   const double co_1e_padded = co_1e_size + 2.004168360008973e-292,
-      co_1e_error_bound = 3.3306690738754706e-16 * co_1e_padded;
+      co_1e_error_bound = KSL_MUL(3.3306690738754706e-16, co_1e_padded);
   const double co_2e_padded = co_2e_size + 2.004168360008973e-292,
-      co_2e_error_bound = 3.3306690738754706e-16 * co_2e_padded;
+      co_2e_error_bound = KSL_MUL(3.3306690738754706e-16, co_2e_padded);
   const double co_3e_padded = co_3e_size + 2.004168360008973e-292,
-      co_3e_error_bound = 3.3306690738754706e-16 * co_3e_padded;
+      co_3e_error_bound = KSL_MUL(3.3306690738754706e-16, co_3e_padded);
   const double co_4e_padded = co_4e_size + 2.004168360008973e-292,
-      co_4e_error_bound = 3.3306690738754706e-16 * co_4e_padded;
+      co_4e_error_bound = KSL_MUL(3.3306690738754706e-16, co_4e_padded);
   const double co_5e_padded = co_5e_size + 2.004168360008973e-292,
-      co_5e_error_bound = 3.3306690738754706e-16 * co_5e_padded;
+      co_5e_error_bound = KSL_MUL(3.3306690738754706e-16, co_5e_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -591,23 +591,23 @@ static inline void ksl_product_CoAdrcinv_certified(const ksl_mat3x3_t *R, const 
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -622,25 +622,26 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -660,24 +661,24 @@ static inline void ksl_product_CoAdc_certified(const ksl_SE3_t *D, const ksl_cos
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const double w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const double w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const double co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const double co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const double co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
   const double w_3a_abs = fabs(w_3a), w_3b_abs = fabs(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
       ci_3_abs = fabs(ci->m3), w_3_size = w_3c_size + ci_3_abs;
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
@@ -691,33 +692,33 @@ static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_
   const double co_2a_abs = fabs(co_2a), co_2b_abs = fabs(co_2b), co_2c_size = co_2a_abs + co_2b_abs,
       co_2d_abs = fabs(co_2d), co_2_size = co_2c_size + co_2d_abs;
   const double w_3_padded = w_3_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), co_3a_size = D_00_abs * w_3_padded;
+  const double D_00_abs = fabs(D->m00), co_3a_size = KSL_MUL(D_00_abs, w_3_padded);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), co_3b_size = D_10_abs * w_4_padded,
+  const double D_10_abs = fabs(D->m10), co_3b_size = KSL_MUL(D_10_abs, w_4_padded),
       co_3c_size = co_3a_size + co_3b_size;
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), co_3d_size = D_20_abs * w_5_padded,
+  const double D_20_abs = fabs(D->m20), co_3d_size = KSL_MUL(D_20_abs, w_5_padded),
       co_3_size = co_3c_size + co_3d_size;
-  const double D_01_abs = fabs(D->m01), co_4a_size = D_01_abs * w_3_padded, D_11_abs = fabs(D->m11),
-      co_4b_size = D_11_abs * w_4_padded, co_4c_size = co_4a_size + co_4b_size,
-      D_21_abs = fabs(D->m21), co_4d_size = D_21_abs * w_5_padded,
-      co_4_size = co_4c_size + co_4d_size;
-  const double D_02_abs = fabs(D->m02), co_5a_size = D_02_abs * w_3_padded, D_12_abs = fabs(D->m12),
-      co_5b_size = D_12_abs * w_4_padded, co_5c_size = co_5a_size + co_5b_size,
-      D_22_abs = fabs(D->m22), co_5d_size = D_22_abs * w_5_padded,
-      co_5_size = co_5c_size + co_5d_size;
+  const double D_01_abs = fabs(D->m01), co_4a_size = KSL_MUL(D_01_abs, w_3_padded),
+      D_11_abs = fabs(D->m11), co_4b_size = KSL_MUL(D_11_abs, w_4_padded),
+      co_4c_size = co_4a_size + co_4b_size, D_21_abs = fabs(D->m21),
+      co_4d_size = KSL_MUL(D_21_abs, w_5_padded), co_4_size = co_4c_size + co_4d_size;
+  const double D_02_abs = fabs(D->m02), co_5a_size = KSL_MUL(D_02_abs, w_3_padded),
+      D_12_abs = fabs(D->m12), co_5b_size = KSL_MUL(D_12_abs, w_4_padded),
+      co_5c_size = co_5a_size + co_5b_size, D_22_abs = fabs(D->m22),
+      co_5d_size = KSL_MUL(D_22_abs, w_5_padded), co_5_size = co_5c_size + co_5d_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -737,23 +738,23 @@ static inline void ksl_product_CoAdinvc_certified(const ksl_SE3_t *D, const ksl_
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0e_size = w_0c_size + w_0d_abs;
@@ -768,25 +769,26 @@ static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const double w_2e_padded = w_2e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2e_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2e_padded);
   const double w_1e_padded = w_1e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1e_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1e_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3e_size;
   const double w_0e_padded = w_0e_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0e_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2e_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0e_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2e_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4e_size;
-  const double co_5a_size = D_03_abs * w_1e_padded, co_5b_size = D_13_abs * w_0e_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5e_size;
-  const double w_0e_error_bound = 3.3306690738754706e-16 * w_0e_padded;
-  const double w_1e_error_bound = 3.3306690738754706e-16 * w_1e_padded;
-  const double w_2e_error_bound = 3.3306690738754706e-16 * w_2e_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1e_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0e_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5e_size;
+  const double w_0e_error_bound = KSL_MUL(3.3306690738754706e-16, w_0e_padded);
+  const double w_1e_error_bound = KSL_MUL(3.3306690738754706e-16, w_1e_padded);
+  const double w_2e_error_bound = KSL_MUL(3.3306690738754706e-16, w_2e_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -806,18 +808,21 @@ static inline void ksl_product_CoAdcinv_certified(const ksl_SE3_t *D, const ksl_
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctx_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -840,18 +845,21 @@ static inline void ksl_hctx_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hcty_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -874,18 +882,21 @@ static inline void ksl_hcty_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctz_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const double co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const double co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -911,18 +922,21 @@ static inline void ksl_hctxinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m00;
   const double co_1 = -D->m10;
   const double co_2 = -D->m20;
-  const double co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -945,18 +959,21 @@ static inline void ksl_hctyinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m01;
   const double co_1 = -D->m11;
   const double co_2 = -D->m21;
-  const double co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -979,18 +996,21 @@ static inline void ksl_hctzinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
   const double co_0 = -D->m02;
   const double co_1 = -D->m12;
   const double co_2 = -D->m22;
-  const double co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const double co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const double co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1009,15 +1029,24 @@ static inline void ksl_hctzinv_certified(const ksl_SE3_t *D, ksl_coscrew_t *co,
    D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
    27 mul, 27 add, 18 abs. */
 static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat6x6_t *M_bound) {
-  const double M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const double M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const double M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const double M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const double M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const double M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const double M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const double M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const double M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const double M_30a_abs = fabs(M_30a), M_30b_abs = fabs(M_30b), M_30_size = M_30a_abs + M_30b_abs;
   const double M_31a_abs = fabs(M_31a), M_31b_abs = fabs(M_31b), M_31_size = M_31a_abs + M_31b_abs;
   const double M_32a_abs = fabs(M_32a), M_32b_abs = fabs(M_32b), M_32_size = M_32a_abs + M_32b_abs;
@@ -1028,23 +1057,23 @@ static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_m
   const double M_51a_abs = fabs(M_51a), M_51b_abs = fabs(M_51b), M_51_size = M_51a_abs + M_51b_abs;
   const double M_52a_abs = fabs(M_52a), M_52b_abs = fabs(M_52b), M_52_size = M_52a_abs + M_52b_abs;
   const double M_30_padded = M_30_size + 2.004168360008973e-292,
-      M_30_error_bound = 2.2204460492503136e-16 * M_30_padded;
+      M_30_error_bound = KSL_MUL(2.2204460492503136e-16, M_30_padded);
   const double M_31_padded = M_31_size + 2.004168360008973e-292,
-      M_31_error_bound = 2.2204460492503136e-16 * M_31_padded;
+      M_31_error_bound = KSL_MUL(2.2204460492503136e-16, M_31_padded);
   const double M_32_padded = M_32_size + 2.004168360008973e-292,
-      M_32_error_bound = 2.2204460492503136e-16 * M_32_padded;
+      M_32_error_bound = KSL_MUL(2.2204460492503136e-16, M_32_padded);
   const double M_40_padded = M_40_size + 2.004168360008973e-292,
-      M_40_error_bound = 2.2204460492503136e-16 * M_40_padded;
+      M_40_error_bound = KSL_MUL(2.2204460492503136e-16, M_40_padded);
   const double M_41_padded = M_41_size + 2.004168360008973e-292,
-      M_41_error_bound = 2.2204460492503136e-16 * M_41_padded;
+      M_41_error_bound = KSL_MUL(2.2204460492503136e-16, M_41_padded);
   const double M_42_padded = M_42_size + 2.004168360008973e-292,
-      M_42_error_bound = 2.2204460492503136e-16 * M_42_padded;
+      M_42_error_bound = KSL_MUL(2.2204460492503136e-16, M_42_padded);
   const double M_50_padded = M_50_size + 2.004168360008973e-292,
-      M_50_error_bound = 2.2204460492503136e-16 * M_50_padded;
+      M_50_error_bound = KSL_MUL(2.2204460492503136e-16, M_50_padded);
   const double M_51_padded = M_51_size + 2.004168360008973e-292,
-      M_51_error_bound = 2.2204460492503136e-16 * M_51_padded;
+      M_51_error_bound = KSL_MUL(2.2204460492503136e-16, M_51_padded);
   const double M_52_padded = M_52_size + 2.004168360008973e-292,
-      M_52_error_bound = 2.2204460492503136e-16 * M_52_padded;
+      M_52_error_bound = KSL_MUL(2.2204460492503136e-16, M_52_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1135,10 +1164,10 @@ static inline void ksl_CoAd_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_m
    7 mul, 11 add, 6 abs. */
 static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, const double x[6],
     double *power_bound) {
-  const double power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   const double power_a_abs = fabs(power_a), power_b_abs = fabs(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabs(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabs(power_f),
@@ -1146,7 +1175,7 @@ static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, co
       power_i_abs = fabs(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const double power_padded = power_size + 2.004168360008973e-292,
-      power_error_bound = 4.440892098500628e-16 * power_padded;
+      power_error_bound = KSL_MUL(4.440892098500628e-16, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -1156,15 +1185,18 @@ static inline double ksl_reciprocal_product_certified(const ksl_coscrew_t *c, co
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const double co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const double co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const double co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   const double co_0a_abs = fabs(co_0a), co_0b_abs = fabs(co_0b), co_0_size = co_0a_abs + co_0b_abs;
   const double co_1a_abs = fabs(co_1a), co_1b_abs = fabs(co_1b), co_1_size = co_1a_abs + co_1b_abs;
   const double co_2a_abs = fabs(co_2a), co_2b_abs = fabs(co_2b), co_2_size = co_2a_abs + co_2b_abs;
@@ -1178,17 +1210,17 @@ static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscre
       co_5d_abs = fabs(co_5d), co_5e_abs = fabs(co_5e), co_5f_size = co_5d_abs + co_5e_abs,
       co_5_size = co_5c_size + co_5f_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 2.2204460492503136e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(2.2204460492503136e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 2.2204460492503136e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(2.2204460492503136e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 2.2204460492503136e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(2.2204460492503136e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1208,18 +1240,18 @@ static inline void ksl_cross_sc_certified(const ksl_screw_t *s, const ksl_coscre
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sca_certified(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const double co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const double co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
   const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 2.2204460492503136e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(2.2204460492503136e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 2.2204460492503136e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(2.2204460492503136e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 2.2204460492503136e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(2.2204460492503136e-16, co_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1240,20 +1272,20 @@ static inline void ksl_cross_sca_certified(const ksl_screw_t *s, const ksl_coscr
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -1265,25 +1297,26 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1304,20 +1337,20 @@ static inline void ksl_constraint_ctx_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -1329,25 +1362,26 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1368,20 +1402,20 @@ static inline void ksl_constraint_cty_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1_size = w_1a_abs + w_1b_abs;
@@ -1393,25 +1427,26 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 2.2204460492503136e-16 * w_0_padded;
-  const double w_1_error_bound = 2.2204460492503136e-16 * w_1_padded;
-  const double w_2_error_bound = 2.2204460492503136e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(2.2204460492503136e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(2.2204460492503136e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(2.2204460492503136e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 5.551115123125785e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(5.551115123125785e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 5.551115123125785e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(5.551115123125785e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 5.551115123125785e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(5.551115123125785e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1432,20 +1467,20 @@ static inline void ksl_constraint_ctz_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -1457,25 +1492,26 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1496,20 +1532,20 @@ static inline void ksl_constraint_crx_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -1521,25 +1557,26 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1560,20 +1597,20 @@ static inline void ksl_constraint_cry_certified(const ksl_SE3_t *D, const ksl_co
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const double w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const double w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b,
+  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
       co_3 = co_3c + w_3;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b,
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
       co_4 = co_4c + w_4;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b,
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
       co_5 = co_5c + w_5;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -1585,25 +1622,26 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
   const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const double w_0_error_bound = 3.3306690738754706e-16 * w_0_padded;
-  const double w_1_error_bound = 3.3306690738754706e-16 * w_1_padded;
-  const double w_2_error_bound = 3.3306690738754706e-16 * w_2_padded;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const double w_0_error_bound = KSL_MUL(3.3306690738754706e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(3.3306690738754706e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(3.3306690738754706e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 6.661338147750942e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(6.661338147750942e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 6.661338147750942e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(6.661338147750942e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 6.661338147750942e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(6.661338147750942e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1624,31 +1662,31 @@ static inline void ksl_constraint_crz_certified(const ksl_SE3_t *D, const ksl_co
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m00 * c->m0;
-  const double w_1 = D->m10 * c->m0;
-  const double w_2 = D->m20 * c->m0;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m00, c->m0);
+  const double w_1 = KSL_MUL(D->m10, c->m0);
+  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1669,31 +1707,31 @@ static inline void ksl_working_ctx_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m01 * c->m1;
-  const double w_1 = D->m11 * c->m1;
-  const double w_2 = D->m21 * c->m1;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m01, c->m1);
+  const double w_1 = KSL_MUL(D->m11, c->m1);
+  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1714,31 +1752,31 @@ static inline void ksl_working_cty_certified(const ksl_SE3_t *D, const ksl_coscr
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_0 = D->m02 * c->m2;
-  const double w_1 = D->m12 * c->m2;
-  const double w_2 = D->m22 * c->m2;
-  const double co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const double co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const double co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m02, c->m2);
+  const double w_1 = KSL_MUL(D->m12, c->m2);
+  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
   const double w_2_abs = fabs(w_2), w_2_padded = w_2_abs + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const double D_13_abs = fabs(D->m13), co_3a_size = KSL_MUL(D_13_abs, w_2_padded);
   const double w_1_abs = fabs(w_1), w_1_padded = w_1_abs + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const double D_23_abs = fabs(D->m23), co_3b_size = KSL_MUL(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const double w_0_abs = fabs(w_0), w_0_padded = w_0_abs + 2.004168360008973e-292;
-  const double co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabs(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const double co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const double w_0_error_bound = 1.1102230246251568e-16 * w_0_padded;
-  const double w_1_error_bound = 1.1102230246251568e-16 * w_1_padded;
-  const double w_2_error_bound = 1.1102230246251568e-16 * w_2_padded;
+  const double co_4a_size = KSL_MUL(D_23_abs, w_0_padded), D_03_abs = fabs(D->m03),
+      co_4b_size = KSL_MUL(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const double co_5a_size = KSL_MUL(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MUL(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const double w_0_error_bound = KSL_MUL(1.1102230246251568e-16, w_0_padded);
+  const double w_1_error_bound = KSL_MUL(1.1102230246251568e-16, w_1_padded);
+  const double w_2_error_bound = KSL_MUL(1.1102230246251568e-16, w_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 3.3306690738754706e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(3.3306690738754706e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 3.3306690738754706e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(3.3306690738754706e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 3.3306690738754706e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(3.3306690738754706e-16, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1759,15 +1797,15 @@ static inline void ksl_working_ctz_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m00 * c->m3;
-  const double w_4 = D->m10 * c->m3;
-  const double w_5 = D->m20 * c->m3;
+  const double w_3 = KSL_MUL(D->m00, c->m3);
+  const double w_4 = KSL_MUL(D->m10, c->m3);
+  const double w_5 = KSL_MUL(D->m20, c->m3);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1788,15 +1826,15 @@ static inline void ksl_working_crx_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m01 * c->m4;
-  const double w_4 = D->m11 * c->m4;
-  const double w_5 = D->m21 * c->m4;
+  const double w_3 = KSL_MUL(D->m01, c->m4);
+  const double w_4 = KSL_MUL(D->m11, c->m4);
+  const double w_5 = KSL_MUL(D->m21, c->m4);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1817,15 +1855,15 @@ static inline void ksl_working_cry_certified(const ksl_SE3_t *D, const ksl_coscr
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double w_3 = D->m02 * c->m5;
-  const double w_4 = D->m12 * c->m5;
-  const double w_5 = D->m22 * c->m5;
+  const double w_3 = KSL_MUL(D->m02, c->m5);
+  const double w_4 = KSL_MUL(D->m12, c->m5);
+  const double w_5 = KSL_MUL(D->m22, c->m5);
   const double w_3_abs = fabs(w_3), w_3_padded = w_3_abs + 2.004168360008973e-292,
-      w_3_error_bound = 1.1102230246251568e-16 * w_3_padded;
+      w_3_error_bound = KSL_MUL(1.1102230246251568e-16, w_3_padded);
   const double w_4_abs = fabs(w_4), w_4_padded = w_4_abs + 2.004168360008973e-292,
-      w_4_error_bound = 1.1102230246251568e-16 * w_4_padded;
+      w_4_error_bound = KSL_MUL(1.1102230246251568e-16, w_4_padded);
   const double w_5_abs = fabs(w_5), w_5_padded = w_5_abs + 2.004168360008973e-292,
-      w_5_error_bound = 1.1102230246251568e-16 * w_5_padded;
+      w_5_error_bound = KSL_MUL(1.1102230246251568e-16, w_5_padded);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1845,30 +1883,30 @@ static inline void ksl_working_crz_certified(const ksl_SE3_t *D, const ksl_coscr
    12 mul, 6 add, 6 abs. */
 static inline void ksl_coscrewf_scale_certified(ksl_coscrewf_t *self, const float a,
     ksl_coscrewf_t *self_bound) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1888,12 +1926,12 @@ static inline void ksl_coscrewf_scale_certified(ksl_coscrewf_t *self, const floa
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y, ksl_coscrewf_t *y_bound) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->m1),
@@ -1907,17 +1945,17 @@ static inline void ksl_axpy_ccf_certified(const float a, const ksl_coscrewf_t *x
   const float y_5_new_a_abs = fabsf(y_5_new_a), y_5_abs = fabsf(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = 1.192093e-07f * y_0_new_padded;
+      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
   const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = 1.192093e-07f * y_1_new_padded;
+      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
   const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = 1.192093e-07f * y_2_new_padded;
+      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
   const float y_3_new_padded = y_3_new_size + 1.9721523e-31f,
-      y_3_new_error_bound = 1.192093e-07f * y_3_new_padded;
+      y_3_new_error_bound = KSL_MULF(1.192093e-07f, y_3_new_padded);
   const float y_4_new_padded = y_4_new_size + 1.9721523e-31f,
-      y_4_new_error_bound = 1.192093e-07f * y_4_new_padded;
+      y_4_new_error_bound = KSL_MULF(1.192093e-07f, y_4_new_padded);
   const float y_5_new_padded = y_5_new_size + 1.9721523e-31f,
-      y_5_new_error_bound = 1.192093e-07f * y_5_new_padded;
+      y_5_new_error_bound = KSL_MULF(1.192093e-07f, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1943,12 +1981,18 @@ static inline void ksl_xpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_t
   const float y_3_new = x->m3 + y->m3;
   const float y_4_new = x->m4 + y->m4;
   const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1974,12 +2018,18 @@ static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_
   const float y_3_new = y->m3 - x->m3;
   const float y_4_new = y->m4 - x->m4;
   const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1999,24 +2049,24 @@ static inline void ksl_nxpy_ccf_certified(const ksl_coscrewf_t *x, ksl_coscrewf_
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_acf_certified(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0 = a * ci->m0;
-  const float co_1 = a * ci->m1;
-  const float co_2 = a * ci->m2;
-  const float co_3 = a * ci->m3;
-  const float co_4 = a * ci->m4;
-  const float co_5 = a * ci->m5;
+  const float co_0 = KSL_MULF(a, ci->m0);
+  const float co_1 = KSL_MULF(a, ci->m1);
+  const float co_2 = KSL_MULF(a, ci->m2);
+  const float co_3 = KSL_MULF(a, ci->m3);
+  const float co_4 = KSL_MULF(a, ci->m4);
+  const float co_5 = KSL_MULF(a, ci->m5);
   const float co_0_abs = fabsf(co_0), co_0_padded = co_0_abs + 1.9721523e-31f,
-      co_0_error_bound = 5.960465e-08f * co_0_padded;
+      co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_padded);
   const float co_1_abs = fabsf(co_1), co_1_padded = co_1_abs + 1.9721523e-31f,
-      co_1_error_bound = 5.960465e-08f * co_1_padded;
+      co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_padded);
   const float co_2_abs = fabsf(co_2), co_2_padded = co_2_abs + 1.9721523e-31f,
-      co_2_error_bound = 5.960465e-08f * co_2_padded;
+      co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_padded);
   const float co_3_abs = fabsf(co_3), co_3_padded = co_3_abs + 1.9721523e-31f,
-      co_3_error_bound = 5.960465e-08f * co_3_padded;
+      co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_padded);
   const float co_4_abs = fabsf(co_4), co_4_padded = co_4_abs + 1.9721523e-31f,
-      co_4_error_bound = 5.960465e-08f * co_4_padded;
+      co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_padded);
   const float co_5_abs = fabsf(co_5), co_5_padded = co_5_abs + 1.9721523e-31f,
-      co_5_error_bound = 5.960465e-08f * co_5_padded;
+      co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2042,12 +2092,12 @@ static inline void ksl_add_ccf_certified(const ksl_coscrewf_t *c1, const ksl_cos
   const float co_3 = c1->m3 + c2->m3;
   const float co_4 = c1->m4 + c2->m4;
   const float co_5 = c1->m5 + c2->m5;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
-  const float co_3_abs = fabsf(co_3), co_3_error_bound = 5.960465e-08f * co_3_abs;
-  const float co_4_abs = fabsf(co_4), co_4_error_bound = 5.960465e-08f * co_4_abs;
-  const float co_5_abs = fabsf(co_5), co_5_error_bound = 5.960465e-08f * co_5_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
+  const float co_3_abs = fabsf(co_3), co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_abs);
+  const float co_4_abs = fabsf(co_4), co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_abs);
+  const float co_5_abs = fabsf(co_5), co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2073,12 +2123,12 @@ static inline void ksl_subtract_ccf_certified(const ksl_coscrewf_t *c1, const ks
   const float co_3 = c1->m3 - c2->m3;
   const float co_4 = c1->m4 - c2->m4;
   const float co_5 = c1->m5 - c2->m5;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
-  const float co_3_abs = fabsf(co_3), co_3_error_bound = 5.960465e-08f * co_3_abs;
-  const float co_4_abs = fabsf(co_4), co_4_error_bound = 5.960465e-08f * co_4_abs;
-  const float co_5_abs = fabsf(co_5), co_5_error_bound = 5.960465e-08f * co_5_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
+  const float co_3_abs = fabsf(co_3), co_3_error_bound = KSL_MULF(5.960465e-08f, co_3_abs);
+  const float co_4_abs = fabsf(co_4), co_4_error_bound = KSL_MULF(5.960465e-08f, co_4_abs);
+  const float co_5_abs = fabsf(co_5), co_5_error_bound = KSL_MULF(5.960465e-08f, co_5_abs);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2101,9 +2151,9 @@ static inline void ksl_add_cctf_certified(const ksl_coscrewf_t *c1, const ksl_co
   const float co_0 = c1->m0 + c2->m0;
   const float co_1 = c1->m1 + c2->m1;
   const float co_2 = c1->m2 + c2->m2;
-  const float co_0_abs = fabsf(co_0), co_0_error_bound = 5.960465e-08f * co_0_abs;
-  const float co_1_abs = fabsf(co_1), co_1_error_bound = 5.960465e-08f * co_1_abs;
-  const float co_2_abs = fabsf(co_2), co_2_error_bound = 5.960465e-08f * co_2_abs;
+  const float co_0_abs = fabsf(co_0), co_0_error_bound = KSL_MULF(5.960465e-08f, co_0_abs);
+  const float co_1_abs = fabsf(co_1), co_1_error_bound = KSL_MULF(5.960465e-08f, co_1_abs);
+  const float co_2_abs = fabsf(co_2), co_2_error_bound = KSL_MULF(5.960465e-08f, co_2_abs);
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -2126,11 +2176,11 @@ static inline void ksl_add_cctf_certified(const ksl_coscrewf_t *c1, const ksl_co
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = t->y * ci->m2, co_3b = t->z * ci->m1, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->z * ci->m0, co_4b = t->x * ci->m2, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->x * ci->m1, co_5b = t->y * ci->m0, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -2142,11 +2192,11 @@ static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -2169,11 +2219,11 @@ static inline void ksl_product_CoAdtcf_certified(const ksl_vec3f_t *t, const ksl
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c + ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c + ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c + ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -2185,11 +2235,11 @@ static inline void ksl_product_CoAdtinvcf_certified(const ksl_vec3f_t *t,
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -2215,11 +2265,11 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
   const float co_0 = -ci->m0;
   const float co_1 = -ci->m1;
   const float co_2 = -ci->m2;
-  const float co_3a = t->z * ci->m1, co_3b = t->y * ci->m2, co_3c = co_3a - co_3b,
+  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
       co_3 = co_3c - ci->m3;
-  const float co_4a = t->x * ci->m2, co_4b = t->z * ci->m0, co_4c = co_4a - co_4b,
+  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
       co_4 = co_4c - ci->m4;
-  const float co_5a = t->y * ci->m0, co_5b = t->x * ci->m1, co_5c = co_5a - co_5b,
+  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
       co_5 = co_5c - ci->m5;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
       co_3c_size = co_3a_abs + co_3b_abs, ci_3_abs = fabsf(ci->m3),
@@ -2231,11 +2281,11 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
       co_5c_size = co_5a_abs + co_5b_abs, ci_5_abs = fabsf(ci->m5),
       co_5_size = co_5c_size + ci_5_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2255,18 +2305,18 @@ static inline void ksl_product_CoAdtcinvf_certified(const ksl_vec3f_t *t,
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0_size = co_0c_size + co_0d_abs;
@@ -2286,17 +2336,17 @@ static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const k
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5_size = co_5c_size + co_5d_abs;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2316,18 +2366,18 @@ static inline void ksl_product_CoAdrcf_certified(const ksl_mat3x3f_t *R, const k
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = R->m01 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = R->m02 * ci->m0, co_2b = R->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m10 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m20 * ci->m5, co_3 = co_3c + co_3d;
-  const float co_4a = R->m01 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m21 * ci->m5, co_4 = co_4c + co_4d;
-  const float co_5a = R->m02 * ci->m3, co_5b = R->m12 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0_size = co_0c_size + co_0d_abs;
@@ -2347,17 +2397,17 @@ static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5_size = co_5c_size + co_5d_abs;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2377,18 +2427,18 @@ static inline void ksl_product_CoAdrinvcf_certified(const ksl_mat3x3f_t *R,
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = R->m00 * ci->m0, co_0b = R->m01 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = R->m02 * ci->m2, co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = R->m10 * ci->m0, co_1b = R->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = R->m12 * ci->m2, co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = R->m20 * ci->m0, co_2b = R->m21 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = R->m22 * ci->m2, co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = R->m00 * ci->m3, co_3b = R->m01 * ci->m4, co_3c = co_3a + co_3b,
-      co_3d = R->m02 * ci->m5, co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = R->m10 * ci->m3, co_4b = R->m11 * ci->m4, co_4c = co_4a + co_4b,
-      co_4d = R->m12 * ci->m5, co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = R->m20 * ci->m3, co_5b = R->m21 * ci->m4, co_5c = co_5a + co_5b,
-      co_5d = R->m22 * ci->m5, co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
+      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
+      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
+      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b),
       co_0c_size = co_0a_abs + co_0b_abs, co_0d_abs = fabsf(co_0d),
       co_0e_size = co_0c_size + co_0d_abs;
@@ -2408,17 +2458,17 @@ static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d),
       co_5e_size = co_5c_size + co_5d_abs;
   const float co_0e_padded = co_0e_size + 1.9721523e-31f,
-      co_0e_error_bound = 1.7881396e-07f * co_0e_padded;
+      co_0e_error_bound = KSL_MULF(1.7881396e-07f, co_0e_padded);
   const float co_1e_padded = co_1e_size + 1.9721523e-31f,
-      co_1e_error_bound = 1.7881396e-07f * co_1e_padded;
+      co_1e_error_bound = KSL_MULF(1.7881396e-07f, co_1e_padded);
   const float co_2e_padded = co_2e_size + 1.9721523e-31f,
-      co_2e_error_bound = 1.7881396e-07f * co_2e_padded;
+      co_2e_error_bound = KSL_MULF(1.7881396e-07f, co_2e_padded);
   const float co_3e_padded = co_3e_size + 1.9721523e-31f,
-      co_3e_error_bound = 1.7881396e-07f * co_3e_padded;
+      co_3e_error_bound = KSL_MULF(1.7881396e-07f, co_3e_padded);
   const float co_4e_padded = co_4e_size + 1.9721523e-31f,
-      co_4e_error_bound = 1.7881396e-07f * co_4e_padded;
+      co_4e_error_bound = KSL_MULF(1.7881396e-07f, co_4e_padded);
   const float co_5e_padded = co_5e_size + 1.9721523e-31f,
-      co_5e_error_bound = 1.7881396e-07f * co_5e_padded;
+      co_5e_error_bound = KSL_MULF(1.7881396e-07f, co_5e_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2438,21 +2488,24 @@ static inline void ksl_product_CoAdrcinvf_certified(const ksl_mat3x3f_t *R,
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -2466,25 +2519,26 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2504,24 +2558,24 @@ static inline void ksl_product_CoAdcf_certified(const ksl_SE3f_t *D, const ksl_c
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3a = D->m23 * ci->m1, w_3b = D->m13 * ci->m2, w_3c = w_3a - w_3b,
+  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
       w_3 = w_3c + ci->m3;
-  const float w_4a = D->m03 * ci->m2, w_4b = D->m23 * ci->m0, w_4c = w_4a - w_4b,
+  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
       w_4 = w_4c + ci->m4;
-  const float w_5a = D->m13 * ci->m0, w_5b = D->m03 * ci->m1, w_5c = w_5a - w_5b,
+  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
       w_5 = w_5c + ci->m5;
-  const float co_0a = D->m00 * ci->m0, co_0b = D->m10 * ci->m1, co_0c = co_0a + co_0b,
-      co_0d = D->m20 * ci->m2, co_0 = co_0c + co_0d;
-  const float co_1a = D->m01 * ci->m0, co_1b = D->m11 * ci->m1, co_1c = co_1a + co_1b,
-      co_1d = D->m21 * ci->m2, co_1 = co_1c + co_1d;
-  const float co_2a = D->m02 * ci->m0, co_2b = D->m12 * ci->m1, co_2c = co_2a + co_2b,
-      co_2d = D->m22 * ci->m2, co_2 = co_2c + co_2d;
-  const float co_3a = D->m00 * w_3, co_3b = D->m10 * w_4, co_3c = co_3a + co_3b,
-      co_3d = D->m20 * w_5, co_3 = co_3c + co_3d;
-  const float co_4a = D->m01 * w_3, co_4b = D->m11 * w_4, co_4c = co_4a + co_4b,
-      co_4d = D->m21 * w_5, co_4 = co_4c + co_4d;
-  const float co_5a = D->m02 * w_3, co_5b = D->m12 * w_4, co_5c = co_5a + co_5b,
-      co_5d = D->m22 * w_5, co_5 = co_5c + co_5d;
+  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
+      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
+  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
+      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
+  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
+      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
+  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
+  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
+  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
   const float w_3a_abs = fabsf(w_3a), w_3b_abs = fabsf(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
       ci_3_abs = fabsf(ci->m3), w_3_size = w_3c_size + ci_3_abs;
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
@@ -2538,33 +2592,33 @@ static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ks
       co_2c_size = co_2a_abs + co_2b_abs, co_2d_abs = fabsf(co_2d),
       co_2_size = co_2c_size + co_2d_abs;
   const float w_3_padded = w_3_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), co_3a_size = D_00_abs * w_3_padded;
+  const float D_00_abs = fabsf(D->m00), co_3a_size = KSL_MULF(D_00_abs, w_3_padded);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), co_3b_size = D_10_abs * w_4_padded,
+  const float D_10_abs = fabsf(D->m10), co_3b_size = KSL_MULF(D_10_abs, w_4_padded),
       co_3c_size = co_3a_size + co_3b_size;
   const float w_5_padded = w_5_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), co_3d_size = D_20_abs * w_5_padded,
+  const float D_20_abs = fabsf(D->m20), co_3d_size = KSL_MULF(D_20_abs, w_5_padded),
       co_3_size = co_3c_size + co_3d_size;
-  const float D_01_abs = fabsf(D->m01), co_4a_size = D_01_abs * w_3_padded,
-      D_11_abs = fabsf(D->m11), co_4b_size = D_11_abs * w_4_padded,
+  const float D_01_abs = fabsf(D->m01), co_4a_size = KSL_MULF(D_01_abs, w_3_padded),
+      D_11_abs = fabsf(D->m11), co_4b_size = KSL_MULF(D_11_abs, w_4_padded),
       co_4c_size = co_4a_size + co_4b_size, D_21_abs = fabsf(D->m21),
-      co_4d_size = D_21_abs * w_5_padded, co_4_size = co_4c_size + co_4d_size;
-  const float D_02_abs = fabsf(D->m02), co_5a_size = D_02_abs * w_3_padded,
-      D_12_abs = fabsf(D->m12), co_5b_size = D_12_abs * w_4_padded,
+      co_4d_size = KSL_MULF(D_21_abs, w_5_padded), co_4_size = co_4c_size + co_4d_size;
+  const float D_02_abs = fabsf(D->m02), co_5a_size = KSL_MULF(D_02_abs, w_3_padded),
+      D_12_abs = fabsf(D->m12), co_5b_size = KSL_MULF(D_12_abs, w_4_padded),
       co_5c_size = co_5a_size + co_5b_size, D_22_abs = fabsf(D->m22),
-      co_5d_size = D_22_abs * w_5_padded, co_5_size = co_5c_size + co_5d_size;
+      co_5d_size = KSL_MULF(D_22_abs, w_5_padded), co_5_size = co_5c_size + co_5d_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2584,21 +2638,24 @@ static inline void ksl_product_CoAdinvcf_certified(const ksl_SE3f_t *D, const ks
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * ci->m0, w_0b = D->m01 * ci->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * ci->m0, w_1b = D->m11 * ci->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * ci->m0, w_2b = D->m21 * ci->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * ci->m3, w_3b = D->m01 * ci->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * ci->m3, w_4b = D->m11 * ci->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * ci->m3, w_5b = D->m21 * ci->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0e_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -2612,25 +2669,26 @@ static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ks
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const float w_2e_padded = w_2e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2e_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2e_padded);
   const float w_1e_padded = w_1e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1e_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1e_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3e_size;
   const float w_0e_padded = w_0e_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0e_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2e_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0e_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2e_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4e_size;
-  const float co_5a_size = D_03_abs * w_1e_padded, co_5b_size = D_13_abs * w_0e_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5e_size;
-  const float w_0e_error_bound = 1.7881396e-07f * w_0e_padded;
-  const float w_1e_error_bound = 1.7881396e-07f * w_1e_padded;
-  const float w_2e_error_bound = 1.7881396e-07f * w_2e_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1e_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0e_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5e_size;
+  const float w_0e_error_bound = KSL_MULF(1.7881396e-07f, w_0e_padded);
+  const float w_1e_error_bound = KSL_MULF(1.7881396e-07f, w_1e_padded);
+  const float w_2e_error_bound = KSL_MULF(1.7881396e-07f, w_2e_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2650,18 +2708,21 @@ static inline void ksl_product_CoAdcinvf_certified(const ksl_SE3f_t *D, const ks
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctxf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m20 * D->m13, co_3b = D->m10 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m00 * D->m23, co_4b = D->m20 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m10 * D->m03, co_5b = D->m00 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2684,18 +2745,21 @@ static inline void ksl_hctxf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctyf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m21 * D->m13, co_3b = D->m11 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m01 * D->m23, co_4b = D->m21 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m11 * D->m03, co_5b = D->m01 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2718,18 +2782,21 @@ static inline void ksl_hctyf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hctzf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float co_3a = D->m22 * D->m13, co_3b = D->m12 * D->m23, co_3 = co_3a - co_3b;
-  const float co_4a = D->m02 * D->m23, co_4b = D->m22 * D->m03, co_4 = co_4a - co_4b;
-  const float co_5a = D->m12 * D->m03, co_5b = D->m02 * D->m13, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2755,18 +2822,21 @@ static inline void ksl_hctxinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m00;
   const float co_1 = -D->m10;
   const float co_2 = -D->m20;
-  const float co_3a = D->m10 * D->m23, co_3b = D->m20 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m20 * D->m03, co_4b = D->m00 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m00 * D->m13, co_5b = D->m10 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2789,18 +2859,21 @@ static inline void ksl_hctyinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m01;
   const float co_1 = -D->m11;
   const float co_2 = -D->m21;
-  const float co_3a = D->m11 * D->m23, co_3b = D->m21 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m21 * D->m03, co_4b = D->m01 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m01 * D->m13, co_5b = D->m11 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2823,18 +2896,21 @@ static inline void ksl_hctzinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
   const float co_0 = -D->m02;
   const float co_1 = -D->m12;
   const float co_2 = -D->m22;
-  const float co_3a = D->m12 * D->m23, co_3b = D->m22 * D->m13, co_3 = co_3a - co_3b;
-  const float co_4a = D->m22 * D->m03, co_4b = D->m02 * D->m23, co_4 = co_4a - co_4b;
-  const float co_5a = D->m02 * D->m13, co_5b = D->m12 * D->m03, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
+      co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
+      co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
+      co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2854,15 +2930,24 @@ static inline void ksl_hctzinvf_certified(const ksl_SE3f_t *D, ksl_coscrewf_t *c
    27 mul, 27 add, 18 abs. */
 static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
     ksl_mat6x6f_t *M_bound) {
-  const float M_30a = D->m20 * D->m13, M_30b = D->m10 * D->m23, M_30 = M_30a - M_30b;
-  const float M_31a = D->m21 * D->m13, M_31b = D->m11 * D->m23, M_31 = M_31a - M_31b;
-  const float M_32a = D->m22 * D->m13, M_32b = D->m12 * D->m23, M_32 = M_32a - M_32b;
-  const float M_40a = D->m00 * D->m23, M_40b = D->m20 * D->m03, M_40 = M_40a - M_40b;
-  const float M_41a = D->m01 * D->m23, M_41b = D->m21 * D->m03, M_41 = M_41a - M_41b;
-  const float M_42a = D->m02 * D->m23, M_42b = D->m22 * D->m03, M_42 = M_42a - M_42b;
-  const float M_50a = D->m10 * D->m03, M_50b = D->m00 * D->m13, M_50 = M_50a - M_50b;
-  const float M_51a = D->m11 * D->m03, M_51b = D->m01 * D->m13, M_51 = M_51a - M_51b;
-  const float M_52a = D->m12 * D->m03, M_52b = D->m02 * D->m13, M_52 = M_52a - M_52b;
+  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
+      M_30 = M_30a - M_30b;
+  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
+      M_31 = M_31a - M_31b;
+  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
+      M_32 = M_32a - M_32b;
+  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
+      M_40 = M_40a - M_40b;
+  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
+      M_41 = M_41a - M_41b;
+  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
+      M_42 = M_42a - M_42b;
+  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
+      M_50 = M_50a - M_50b;
+  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
+      M_51 = M_51a - M_51b;
+  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
+      M_52 = M_52a - M_52b;
   const float M_30a_abs = fabsf(M_30a), M_30b_abs = fabsf(M_30b), M_30_size = M_30a_abs + M_30b_abs;
   const float M_31a_abs = fabsf(M_31a), M_31b_abs = fabsf(M_31b), M_31_size = M_31a_abs + M_31b_abs;
   const float M_32a_abs = fabsf(M_32a), M_32b_abs = fabsf(M_32b), M_32_size = M_32a_abs + M_32b_abs;
@@ -2873,23 +2958,23 @@ static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
   const float M_51a_abs = fabsf(M_51a), M_51b_abs = fabsf(M_51b), M_51_size = M_51a_abs + M_51b_abs;
   const float M_52a_abs = fabsf(M_52a), M_52b_abs = fabsf(M_52b), M_52_size = M_52a_abs + M_52b_abs;
   const float M_30_padded = M_30_size + 1.9721523e-31f,
-      M_30_error_bound = 1.192093e-07f * M_30_padded;
+      M_30_error_bound = KSL_MULF(1.192093e-07f, M_30_padded);
   const float M_31_padded = M_31_size + 1.9721523e-31f,
-      M_31_error_bound = 1.192093e-07f * M_31_padded;
+      M_31_error_bound = KSL_MULF(1.192093e-07f, M_31_padded);
   const float M_32_padded = M_32_size + 1.9721523e-31f,
-      M_32_error_bound = 1.192093e-07f * M_32_padded;
+      M_32_error_bound = KSL_MULF(1.192093e-07f, M_32_padded);
   const float M_40_padded = M_40_size + 1.9721523e-31f,
-      M_40_error_bound = 1.192093e-07f * M_40_padded;
+      M_40_error_bound = KSL_MULF(1.192093e-07f, M_40_padded);
   const float M_41_padded = M_41_size + 1.9721523e-31f,
-      M_41_error_bound = 1.192093e-07f * M_41_padded;
+      M_41_error_bound = KSL_MULF(1.192093e-07f, M_41_padded);
   const float M_42_padded = M_42_size + 1.9721523e-31f,
-      M_42_error_bound = 1.192093e-07f * M_42_padded;
+      M_42_error_bound = KSL_MULF(1.192093e-07f, M_42_padded);
   const float M_50_padded = M_50_size + 1.9721523e-31f,
-      M_50_error_bound = 1.192093e-07f * M_50_padded;
+      M_50_error_bound = KSL_MULF(1.192093e-07f, M_50_padded);
   const float M_51_padded = M_51_size + 1.9721523e-31f,
-      M_51_error_bound = 1.192093e-07f * M_51_padded;
+      M_51_error_bound = KSL_MULF(1.192093e-07f, M_51_padded);
   const float M_52_padded = M_52_size + 1.9721523e-31f,
-      M_52_error_bound = 1.192093e-07f * M_52_padded;
+      M_52_error_bound = KSL_MULF(1.192093e-07f, M_52_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2980,10 +3065,10 @@ static inline void ksl_CoAdf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
    7 mul, 11 add, 6 abs. */
 static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, const float x[6],
     float *power_bound) {
-  const float power_a = c->m0 * x[3], power_b = c->m1 * x[4], power_c = power_a + power_b,
-      power_d = c->m2 * x[5], power_e = power_c + power_d, power_f = c->m3 * x[0],
-      power_g = c->m4 * x[1], power_h = power_f + power_g, power_i = c->m5 * x[2],
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
+      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
   const float power_a_abs = fabsf(power_a), power_b_abs = fabsf(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabsf(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabsf(power_f),
@@ -2991,7 +3076,7 @@ static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, c
       power_i_abs = fabsf(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const float power_padded = power_size + 1.9721523e-31f,
-      power_error_bound = 2.3841864e-07f * power_padded;
+      power_error_bound = KSL_MULF(2.3841864e-07f, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -3001,15 +3086,18 @@ static inline float ksl_reciprocal_productf_certified(const ksl_coscrewf_t *c, c
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = s->m4 * c->m2, co_0b = s->m5 * c->m1, co_0 = co_0a - co_0b;
-  const float co_1a = s->m5 * c->m0, co_1b = s->m3 * c->m2, co_1 = co_1a - co_1b;
-  const float co_2a = s->m3 * c->m1, co_2b = s->m4 * c->m0, co_2 = co_2a - co_2b;
-  const float co_3a = s->m1 * c->m2, co_3b = s->m2 * c->m1, co_3c = co_3a - co_3b,
-      co_3d = s->m4 * c->m5, co_3e = s->m5 * c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const float co_4a = s->m2 * c->m0, co_4b = s->m0 * c->m2, co_4c = co_4a - co_4b,
-      co_4d = s->m5 * c->m3, co_4e = s->m3 * c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const float co_5a = s->m0 * c->m1, co_5b = s->m1 * c->m0, co_5c = co_5a - co_5b,
-      co_5d = s->m3 * c->m4, co_5e = s->m4 * c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
+  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
+  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
+  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
+      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
+      co_3 = co_3c + co_3f;
+  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
+      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
+      co_4 = co_4c + co_4f;
+  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
+      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
+      co_5 = co_5c + co_5f;
   const float co_0a_abs = fabsf(co_0a), co_0b_abs = fabsf(co_0b), co_0_size = co_0a_abs + co_0b_abs;
   const float co_1a_abs = fabsf(co_1a), co_1b_abs = fabsf(co_1b), co_1_size = co_1a_abs + co_1b_abs;
   const float co_2a_abs = fabsf(co_2a), co_2b_abs = fabsf(co_2b), co_2_size = co_2a_abs + co_2b_abs;
@@ -3023,17 +3111,17 @@ static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_cosc
       co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d), co_5e_abs = fabsf(co_5e),
       co_5f_size = co_5d_abs + co_5e_abs, co_5_size = co_5c_size + co_5f_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.192093e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.192093e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.192093e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.192093e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.192093e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.192093e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -3053,18 +3141,18 @@ static inline void ksl_cross_scf_certified(const ksl_screwf_t *s, const ksl_cosc
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_scaf_certified(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_3a = s->m4 * c->m5, co_3b = s->m5 * c->m4, co_3 = co_3a - co_3b;
-  const float co_4a = s->m5 * c->m3, co_4b = s->m3 * c->m5, co_4 = co_4a - co_4b;
-  const float co_5a = s->m3 * c->m4, co_5b = s->m4 * c->m3, co_5 = co_5a - co_5b;
+  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
   const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b), co_3_size = co_3a_abs + co_3b_abs;
   const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b), co_4_size = co_4a_abs + co_4b_abs;
   const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b), co_5_size = co_5a_abs + co_5b_abs;
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.192093e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.192093e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.192093e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.192093e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.192093e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.192093e-07f, co_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -3085,18 +3173,21 @@ static inline void ksl_cross_scaf_certified(const ksl_screwf_t *s, const ksl_cos
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m01 * c->m1, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m11 * c->m1, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m21 * c->m1, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -3107,25 +3198,26 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3146,18 +3238,21 @@ static inline void ksl_constraint_ctxf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m02 * c->m2, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m12 * c->m2, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m22 * c->m2, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -3168,25 +3263,26 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3207,18 +3303,21 @@ static inline void ksl_constraint_ctyf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0 = w_0a + w_0b;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1 = w_1a + w_1b;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2 = w_2a + w_2b;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * c->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * c->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * c->m5, w_5 = w_5c + w_5d;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0_size = w_0a_abs + w_0b_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1_size = w_1a_abs + w_1b_abs;
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2_size = w_2a_abs + w_2b_abs;
@@ -3229,25 +3328,26 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.192093e-07f * w_0_padded;
-  const float w_1_error_bound = 1.192093e-07f * w_1_padded;
-  const float w_2_error_bound = 1.192093e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.192093e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.192093e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.192093e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.9802328e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.9802328e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.9802328e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.9802328e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.9802328e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.9802328e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3268,18 +3368,21 @@ static inline void ksl_constraint_ctzf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m01 * c->m4, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m11 * c->m4, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m21 * c->m4, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -3290,25 +3393,26 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3329,18 +3433,21 @@ static inline void ksl_constraint_crxf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m02 * c->m5, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m12 * c->m5, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m22 * c->m5, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -3351,25 +3458,26 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3390,18 +3498,21 @@ static inline void ksl_constraint_cryf_certified(const ksl_SE3f_t *D, const ksl_
    33 mul, 36 add, 18 abs. */
 static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0a = D->m00 * c->m0, w_0b = D->m01 * c->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * c->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * c->m0, w_1b = D->m11 * c->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * c->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * c->m0, w_2b = D->m21 * c->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * c->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * c->m3, w_3b = D->m01 * c->m4, w_3 = w_3a + w_3b;
-  const float w_4a = D->m10 * c->m3, w_4b = D->m11 * c->m4, w_4 = w_4a + w_4b;
-  const float w_5a = D->m20 * c->m3, w_5b = D->m21 * c->m4, w_5 = w_5a + w_5b;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
+  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
+  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3 = co_3c + w_3;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4 = co_4c + w_4;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5 = co_5c + w_5;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -3412,25 +3523,26 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4_size = w_4a_abs + w_4b_abs;
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5_size = w_5a_abs + w_5b_abs;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3c_size = co_3a_size + co_3b_size, co_3_size = co_3c_size + w_3_size;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4c_size = co_4a_size + co_4b_size,
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4c_size = co_4a_size + co_4b_size,
       co_4_size = co_4c_size + w_4_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5c_size = co_5a_size + co_5b_size, co_5_size = co_5c_size + w_5_size;
-  const float w_0_error_bound = 1.7881396e-07f * w_0_padded;
-  const float w_1_error_bound = 1.7881396e-07f * w_1_padded;
-  const float w_2_error_bound = 1.7881396e-07f * w_2_padded;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5c_size = co_5a_size + co_5b_size,
+      co_5_size = co_5c_size + w_5_size;
+  const float w_0_error_bound = KSL_MULF(1.7881396e-07f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(1.7881396e-07f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(1.7881396e-07f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 3.5762795e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(3.5762795e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 3.5762795e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(3.5762795e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 3.5762795e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(3.5762795e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3451,31 +3563,31 @@ static inline void ksl_constraint_crzf_certified(const ksl_SE3f_t *D, const ksl_
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m00 * c->m0;
-  const float w_1 = D->m10 * c->m0;
-  const float w_2 = D->m20 * c->m0;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m00, c->m0);
+  const float w_1 = KSL_MULF(D->m10, c->m0);
+  const float w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3496,31 +3608,31 @@ static inline void ksl_working_ctxf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m01 * c->m1;
-  const float w_1 = D->m11 * c->m1;
-  const float w_2 = D->m21 * c->m1;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m01, c->m1);
+  const float w_1 = KSL_MULF(D->m11, c->m1);
+  const float w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3541,31 +3653,31 @@ static inline void ksl_working_ctyf_certified(const ksl_SE3f_t *D, const ksl_cos
    21 mul, 12 add, 6 abs. */
 static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_0 = D->m02 * c->m2;
-  const float w_1 = D->m12 * c->m2;
-  const float w_2 = D->m22 * c->m2;
-  const float co_3a = D->m13 * w_2, co_3b = D->m23 * w_1, co_3 = co_3a - co_3b;
-  const float co_4a = D->m23 * w_0, co_4b = D->m03 * w_2, co_4 = co_4a - co_4b;
-  const float co_5a = D->m03 * w_1, co_5b = D->m13 * w_0, co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m02, c->m2);
+  const float w_1 = KSL_MULF(D->m12, c->m2);
+  const float w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
+  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
+  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
   const float w_2_abs = fabsf(w_2), w_2_padded = w_2_abs + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), co_3a_size = D_13_abs * w_2_padded;
+  const float D_13_abs = fabsf(D->m13), co_3a_size = KSL_MULF(D_13_abs, w_2_padded);
   const float w_1_abs = fabsf(w_1), w_1_padded = w_1_abs + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), co_3b_size = D_23_abs * w_1_padded,
+  const float D_23_abs = fabsf(D->m23), co_3b_size = KSL_MULF(D_23_abs, w_1_padded),
       co_3_size = co_3a_size + co_3b_size;
   const float w_0_abs = fabsf(w_0), w_0_padded = w_0_abs + 1.9721523e-31f;
-  const float co_4a_size = D_23_abs * w_0_padded, D_03_abs = fabsf(D->m03),
-      co_4b_size = D_03_abs * w_2_padded, co_4_size = co_4a_size + co_4b_size;
-  const float co_5a_size = D_03_abs * w_1_padded, co_5b_size = D_13_abs * w_0_padded,
-      co_5_size = co_5a_size + co_5b_size;
-  const float w_0_error_bound = 5.960465e-08f * w_0_padded;
-  const float w_1_error_bound = 5.960465e-08f * w_1_padded;
-  const float w_2_error_bound = 5.960465e-08f * w_2_padded;
+  const float co_4a_size = KSL_MULF(D_23_abs, w_0_padded), D_03_abs = fabsf(D->m03),
+      co_4b_size = KSL_MULF(D_03_abs, w_2_padded), co_4_size = co_4a_size + co_4b_size;
+  const float co_5a_size = KSL_MULF(D_03_abs, w_1_padded),
+      co_5b_size = KSL_MULF(D_13_abs, w_0_padded), co_5_size = co_5a_size + co_5b_size;
+  const float w_0_error_bound = KSL_MULF(5.960465e-08f, w_0_padded);
+  const float w_1_error_bound = KSL_MULF(5.960465e-08f, w_1_padded);
+  const float w_2_error_bound = KSL_MULF(5.960465e-08f, w_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 1.7881396e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(1.7881396e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 1.7881396e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(1.7881396e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 1.7881396e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(1.7881396e-07f, co_5_padded);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -3586,15 +3698,15 @@ static inline void ksl_working_ctzf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m00 * c->m3;
-  const float w_4 = D->m10 * c->m3;
-  const float w_5 = D->m20 * c->m3;
+  const float w_3 = KSL_MULF(D->m00, c->m3);
+  const float w_4 = KSL_MULF(D->m10, c->m3);
+  const float w_5 = KSL_MULF(D->m20, c->m3);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -3615,15 +3727,15 @@ static inline void ksl_working_crxf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m01 * c->m4;
-  const float w_4 = D->m11 * c->m4;
-  const float w_5 = D->m21 * c->m4;
+  const float w_3 = KSL_MULF(D->m01, c->m4);
+  const float w_4 = KSL_MULF(D->m11, c->m4);
+  const float w_5 = KSL_MULF(D->m21, c->m4);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -3644,15 +3756,15 @@ static inline void ksl_working_cryf_certified(const ksl_SE3f_t *D, const ksl_cos
    6 mul, 3 add, 3 abs. */
 static inline void ksl_working_crzf_certified(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float w_3 = D->m02 * c->m5;
-  const float w_4 = D->m12 * c->m5;
-  const float w_5 = D->m22 * c->m5;
+  const float w_3 = KSL_MULF(D->m02, c->m5);
+  const float w_4 = KSL_MULF(D->m12, c->m5);
+  const float w_5 = KSL_MULF(D->m22, c->m5);
   const float w_3_abs = fabsf(w_3), w_3_padded = w_3_abs + 1.9721523e-31f,
-      w_3_error_bound = 5.960465e-08f * w_3_padded;
+      w_3_error_bound = KSL_MULF(5.960465e-08f, w_3_padded);
   const float w_4_abs = fabsf(w_4), w_4_padded = w_4_abs + 1.9721523e-31f,
-      w_4_error_bound = 5.960465e-08f * w_4_padded;
+      w_4_error_bound = KSL_MULF(5.960465e-08f, w_4_padded);
   const float w_5_abs = fabsf(w_5), w_5_padded = w_5_abs + 1.9721523e-31f,
-      w_5_error_bound = 5.960465e-08f * w_5_padded;
+      w_5_error_bound = KSL_MULF(5.960465e-08f, w_5_padded);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;

@@ -61,16 +61,16 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Bi, ksl_inertia_t *Bo) 
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertia_scale(ksl_inertia_t *self, const double a) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -149,18 +149,18 @@ static inline void ksl_subtract_BB(const ksl_inertia_t *B1, const ksl_inertia_t 
      formula; barring over- and underflow. */
 static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -195,15 +195,15 @@ static inline void ksl_inertia_about_com(const ksl_inertia_t *B, ksl_mat3x3_t *R
   const double c_0 = B->h.x / B->m;
   const double c_1 = B->h.y / B->m;
   const double c_2 = B->h.z / B->m;
-  const double squares_0 = B->h.x * c_0;
-  const double squares_1 = B->h.y * c_1;
-  const double squares_2 = B->h.z * c_2;
+  const double squares_0 = KSL_MUL(B->h.x, c_0);
+  const double squares_1 = KSL_MUL(B->h.y, c_1);
+  const double squares_2 = KSL_MUL(B->h.z, c_2);
   const double about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
   const double about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
   const double about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const double about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
-  const double about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
-  const double about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  const double about_3a = KSL_MUL(B->h.x, c_1), about_3 = about_3a + B->xy;
+  const double about_4a = KSL_MUL(B->h.x, c_2), about_4 = about_4a + B->xz;
+  const double about_5a = KSL_MUL(B->h.y, c_2), about_5 = about_5a + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -279,21 +279,24 @@ static inline void ksl_inertia_matrix(const ksl_inertia_t *B, ksl_mat6x6_t *Mo) 
    Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, ksl_coscrew_t *co) {
-  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -309,29 +312,29 @@ static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, 
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
-  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const double twice_across_0 = 2.0 * across_0;
-  const double twice_across_1 = 2.0 * across_1;
-  const double twice_across_2 = 2.0 * across_2;
-  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   return energy;
 }
 
@@ -343,27 +346,30 @@ static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_
      formula; barring over- and underflow. */
 static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = B->h.x + half_0;
   const double n_1 = B->h.y + half_1;
   const double n_2 = B->h.z + half_2;
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -394,72 +400,75 @@ static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t 
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo) {
-  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = turned_1 + half_0;
   const double n_1 = turned_2 + half_1;
   const double n_2 = turned_3 + half_2;
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -488,8 +497,8 @@ static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
-  const double trace_a = 0.5 * B->xx, trace_b = 0.5 * B->yy, trace_c = trace_a + trace_b,
-      trace_d = 0.5 * B->zz, trace = trace_c + trace_d;
+  const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
+      trace_c = trace_a + trace_b, trace_d = KSL_MUL(0.5, B->zz), trace = trace_c + trace_d;
   const double sigma_0 = trace - B->xx;
   const double sigma_1 = trace - B->yy;
   const double sigma_2 = trace - B->zz;
@@ -497,20 +506,20 @@ static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
   const double l0_0 = B->h.x / divisor0;
   const double l0_1 = B->h.y / divisor0;
   const double l0_2 = B->h.z / divisor0;
-  const double u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
-  const double u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const double u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const double u1_0a = KSL_MUL(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
+  const double u1_1a = KSL_MUL(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const double u1_2a = KSL_MUL(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
-  const double u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+  const double u2_0a = KSL_MUL(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MUL(u1_1, l1_0),
       u2_0 = u2_0b - u2_0c;
-  const double u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+  const double u2_1a = KSL_MUL(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MUL(u1_2, l1_0),
       u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
-  const double u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
-      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const double u3a = KSL_MUL(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),
+      u3d = u3b - u3c, u3e = KSL_MUL(u2_1, l2), u3 = u3d - u3e;
   const double part0a = B->m / divisor0, part0 = 0.0 < B->m ? part0a : B->m;
   const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
@@ -576,16 +585,16 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Bi, ksl_inertiaf_t *B
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_inertiaf_scale(ksl_inertiaf_t *self, const float a) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -665,18 +674,18 @@ static inline void ksl_subtract_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -711,15 +720,15 @@ static inline void ksl_inertiaf_about_com(const ksl_inertiaf_t *B, ksl_mat3x3f_t
   const float c_0 = B->h.x / B->m;
   const float c_1 = B->h.y / B->m;
   const float c_2 = B->h.z / B->m;
-  const float squares_0 = B->h.x * c_0;
-  const float squares_1 = B->h.y * c_1;
-  const float squares_2 = B->h.z * c_2;
+  const float squares_0 = KSL_MULF(B->h.x, c_0);
+  const float squares_1 = KSL_MULF(B->h.y, c_1);
+  const float squares_2 = KSL_MULF(B->h.z, c_2);
   const float about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
   const float about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
   const float about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const float about_3a = B->h.x * c_1, about_3 = about_3a + B->xy;
-  const float about_4a = B->h.x * c_2, about_4 = about_4a + B->xz;
-  const float about_5a = B->h.y * c_2, about_5 = about_5a + B->yz;
+  const float about_3a = KSL_MULF(B->h.x, c_1), about_3 = about_3a + B->xy;
+  const float about_4a = KSL_MULF(B->h.x, c_2), about_4 = about_4a + B->xz;
+  const float about_5a = KSL_MULF(B->h.y, c_2), about_5 = about_5a + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -796,21 +805,24 @@ static inline void ksl_inertiaf_matrix(const ksl_inertiaf_t *B, ksl_mat6x6f_t *M
      barring over- and underflow. */
 static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -826,29 +838,29 @@ static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
-  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const float twice_across_0 = 2.0f * across_0;
-  const float twice_across_1 = 2.0f * across_1;
-  const float twice_across_2 = 2.0f * across_2;
-  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float twice_across_0 = KSL_MULF(2.0f, across_0);
+  const float twice_across_1 = KSL_MULF(2.0f, across_1);
+  const float twice_across_2 = KSL_MULF(2.0f, across_2);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = KSL_MULF(0.5f, twice);
   return energy;
 }
 
@@ -860,27 +872,30 @@ static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = B->h.x + half_0;
   const float n_1 = B->h.y + half_1;
   const float n_2 = B->h.z + half_2;
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -911,72 +926,75 @@ static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo) {
-  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = turned_1 + half_0;
   const float n_1 = turned_2 + half_1;
   const float n_2 = turned_3 + half_2;
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;
@@ -1005,8 +1023,8 @@ static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inert
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
-  const float trace_a = 0.5f * B->xx, trace_b = 0.5f * B->yy, trace_c = trace_a + trace_b,
-      trace_d = 0.5f * B->zz, trace = trace_c + trace_d;
+  const float trace_a = KSL_MULF(0.5f, B->xx), trace_b = KSL_MULF(0.5f, B->yy),
+      trace_c = trace_a + trace_b, trace_d = KSL_MULF(0.5f, B->zz), trace = trace_c + trace_d;
   const float sigma_0 = trace - B->xx;
   const float sigma_1 = trace - B->yy;
   const float sigma_2 = trace - B->zz;
@@ -1014,20 +1032,20 @@ static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
   const float l0_0 = B->h.x / divisor0;
   const float l0_1 = B->h.y / divisor0;
   const float l0_2 = B->h.z / divisor0;
-  const float u1_0a = B->h.x * l0_0, u1_0 = sigma_0 - u1_0a;
-  const float u1_1a = B->h.y * l0_0, u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const float u1_2a = B->h.z * l0_0, u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const float u1_0a = KSL_MULF(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
+  const float u1_1a = KSL_MULF(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
+  const float u1_2a = KSL_MULF(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1_0 = u1_1 / divisor1;
   const float l1_1 = u1_2 / divisor1;
-  const float u2_0a = B->h.y * l0_1, u2_0b = sigma_1 - u2_0a, u2_0c = u1_1 * l1_0,
+  const float u2_0a = KSL_MULF(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MULF(u1_1, l1_0),
       u2_0 = u2_0b - u2_0c;
-  const float u2_1a = B->h.z * l0_1, u2_1b = u2_1a + B->yz, u2_1c = u1_2 * l1_0,
+  const float u2_1a = KSL_MULF(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MULF(u1_2, l1_0),
       u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2 = u2_1 / divisor2;
-  const float u3a = B->h.z * l0_2, u3b = sigma_2 - u3a, u3c = u1_2 * l1_1, u3d = u3b - u3c,
-      u3e = u2_1 * l2, u3 = u3d - u3e;
+  const float u3a = KSL_MULF(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MULF(u1_2, l1_1),
+      u3d = u3b - u3c, u3e = KSL_MULF(u2_1, l2), u3 = u3d - u3e;
   const float part0a = B->m / divisor0, part0 = 0.0f < B->m ? part0a : B->m;
   const float own1 = 0.0f < sigma_0 ? sigma_0 : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < sigma_0 ? part1a : sigma_0;

@@ -14,46 +14,46 @@
    20 mul, 10 add, 10 abs. */
 static inline void ksl_inertia_scale_certified(ksl_inertia_t *self, const double a,
     ksl_inertia_t *self_bound) {
-  const double self_0_new = self->m * a;
-  const double self_1_new = self->h.x * a;
-  const double self_2_new = self->h.y * a;
-  const double self_3_new = self->h.z * a;
-  const double self_4_new = self->xx * a;
-  const double self_5_new = self->yy * a;
-  const double self_6_new = self->zz * a;
-  const double self_7_new = self->xy * a;
-  const double self_8_new = self->xz * a;
-  const double self_9_new = self->yz * a;
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   const double self_6_new_abs = fabs(self_6_new),
       self_6_new_padded = self_6_new_abs + 2.004168360008973e-292,
-      self_6_new_error_bound = 1.1102230246251568e-16 * self_6_new_padded;
+      self_6_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_6_new_padded);
   const double self_7_new_abs = fabs(self_7_new),
       self_7_new_padded = self_7_new_abs + 2.004168360008973e-292,
-      self_7_new_error_bound = 1.1102230246251568e-16 * self_7_new_padded;
+      self_7_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_7_new_padded);
   const double self_8_new_abs = fabs(self_8_new),
       self_8_new_padded = self_8_new_abs + 2.004168360008973e-292,
-      self_8_new_error_bound = 1.1102230246251568e-16 * self_8_new_padded;
+      self_8_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_8_new_padded);
   const double self_9_new_abs = fabs(self_9_new),
       self_9_new_padded = self_9_new_abs + 2.004168360008973e-292,
-      self_9_new_error_bound = 1.1102230246251568e-16 * self_9_new_padded;
+      self_9_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_9_new_padded);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -92,16 +92,16 @@ static inline void ksl_add_BB_certified(const ksl_inertia_t *B1, const ksl_inert
   const double Bo_7 = B1->xy + B2->xy;
   const double Bo_8 = B1->xz + B2->xz;
   const double Bo_9 = B1->yz + B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -140,16 +140,16 @@ static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_
   const double Bo_7 = B1->xy - B2->xy;
   const double Bo_8 = B1->xz - B2->xz;
   const double Bo_9 = B1->yz - B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = 1.1102230246251568e-16 * Bo_0_abs;
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = 1.1102230246251568e-16 * Bo_1_abs;
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = 1.1102230246251568e-16 * Bo_2_abs;
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = 1.1102230246251568e-16 * Bo_3_abs;
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = 1.1102230246251568e-16 * Bo_4_abs;
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = 1.1102230246251568e-16 * Bo_5_abs;
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = 1.1102230246251568e-16 * Bo_6_abs;
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = 1.1102230246251568e-16 * Bo_7_abs;
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = 1.1102230246251568e-16 * Bo_8_abs;
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = 1.1102230246251568e-16 * Bo_9_abs;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -180,51 +180,51 @@ static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_
    24 mul, 27 add, 12 abs. */
 static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double h_0 = m * com->x;
-  const double h_1 = m * com->y;
-  const double h_2 = m * com->z;
-  const double squares_0 = com->x * h_0;
-  const double squares_1 = com->y * h_1;
-  const double squares_2 = com->z * h_2;
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
   const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   const double h_0_abs = fabs(h_0), h_0_padded = h_0_abs + 2.004168360008973e-292;
-  const double com_0_abs = fabs(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const double com_0_abs = fabs(com->x), squares_0_size = KSL_MUL(com_0_abs, h_0_padded);
   const double h_1_abs = fabs(h_1), h_1_padded = h_1_abs + 2.004168360008973e-292;
-  const double com_1_abs = fabs(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const double com_1_abs = fabs(com->y), squares_1_size = KSL_MUL(com_1_abs, h_1_padded);
   const double h_2_abs = fabs(h_2), h_2_padded = h_2_abs + 2.004168360008973e-292;
-  const double com_2_abs = fabs(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const double com_2_abs = fabs(com->z), squares_2_size = KSL_MUL(com_2_abs, h_2_padded);
   const double Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabs(Ic->m00),
       Bo_4_size = Ic_00_abs + Bo_4a_size;
   const double Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabs(Ic->m11),
       Bo_5_size = Ic_11_abs + Bo_5a_size;
   const double Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabs(Ic->m22),
       Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const double Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabs(Ic->m01),
+  const double Bo_7a_size = KSL_MUL(com_1_abs, h_0_padded), Ic_01_abs = fabs(Ic->m01),
       Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const double Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabs(Ic->m02),
+  const double Bo_8a_size = KSL_MUL(com_2_abs, h_0_padded), Ic_02_abs = fabs(Ic->m02),
       Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const double Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabs(Ic->m12),
+  const double Bo_9a_size = KSL_MUL(com_2_abs, h_1_padded), Ic_12_abs = fabs(Ic->m12),
       Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const double h_0_error_bound = 1.1102230246251568e-16 * h_0_padded;
-  const double h_1_error_bound = 1.1102230246251568e-16 * h_1_padded;
-  const double h_2_error_bound = 1.1102230246251568e-16 * h_2_padded;
+  const double h_0_error_bound = KSL_MUL(1.1102230246251568e-16, h_0_padded);
+  const double h_1_error_bound = KSL_MUL(1.1102230246251568e-16, h_1_padded);
+  const double h_2_error_bound = KSL_MUL(1.1102230246251568e-16, h_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 4.440892098500628e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(4.440892098500628e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 4.440892098500628e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(4.440892098500628e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 4.440892098500628e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(4.440892098500628e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 3.3306690738754706e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 3.3306690738754706e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 3.3306690738754706e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_9_padded);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -254,21 +254,24 @@ static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3
    30 mul, 42 add, 24 abs. */
 static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
-  const double co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   const double co_0b_abs = fabs(co_0b), co_0c_abs = fabs(co_0c), co_0d_size = co_0b_abs + co_0c_abs,
       co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0d_size;
   const double co_1b_abs = fabs(co_1b), co_1c_abs = fabs(co_1c), co_1d_size = co_1b_abs + co_1c_abs,
@@ -288,17 +291,17 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
       co_5g_abs = fabs(co_5g), co_5h_size = co_5f_size + co_5g_abs,
       co_5_size = co_5c_size + co_5h_size;
   const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = 3.3306690738754706e-16 * co_0_padded;
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
   const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = 3.3306690738754706e-16 * co_1_padded;
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
   const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = 3.3306690738754706e-16 * co_2_padded;
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
   const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = 4.440892098500628e-16 * co_3_padded;
+      co_3_error_bound = KSL_MUL(4.440892098500628e-16, co_3_padded);
   const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = 4.440892098500628e-16 * co_4_padded;
+      co_4_error_bound = KSL_MUL(4.440892098500628e-16, co_4_padded);
   const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = 4.440892098500628e-16 * co_5_padded;
+      co_5_error_bound = KSL_MUL(4.440892098500628e-16, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -320,29 +323,29 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
    39 mul, 45 add, 24 abs. */
 static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
     double *energy_bound) {
-  const double across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const double across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const double across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const double twice_across_0 = 2.0 * across_0;
-  const double twice_across_1 = 2.0 * across_1;
-  const double twice_across_2 = 2.0 * across_2;
-  const double p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const double L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const double L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const double twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = 0.5 * twice;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
   const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
@@ -350,11 +353,11 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
   const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const double across_0_padded = across_0_size + 2.004168360008973e-292;
-  const double twice_across_0_size = 2.0 * across_0_padded;
+  const double twice_across_0_size = KSL_MUL(2.0, across_0_padded);
   const double across_1_padded = across_1_size + 2.004168360008973e-292;
-  const double twice_across_1_size = 2.0 * across_1_padded;
+  const double twice_across_1_size = KSL_MUL(2.0, across_1_padded);
   const double across_2_padded = across_2_size + 2.004168360008973e-292;
-  const double twice_across_2_size = 2.0 * across_2_padded;
+  const double twice_across_2_size = KSL_MUL(2.0, across_2_padded);
   const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
   const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
   const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
@@ -365,25 +368,25 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
   const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
       L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const double p_0_padded = p_0_size + 2.004168360008973e-292;
-  const double s_0_abs = fabs(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const double s_0_abs = fabs(s->m0), twice_a_size = KSL_MUL(s_0_abs, p_0_padded);
   const double p_1_padded = p_1_size + 2.004168360008973e-292;
-  const double s_1_abs = fabs(s->m1), twice_b_size = s_1_abs * p_1_padded,
+  const double s_1_abs = fabs(s->m1), twice_b_size = KSL_MUL(s_1_abs, p_1_padded),
       twice_c_size = twice_a_size + twice_b_size;
   const double p_2_padded = p_2_size + 2.004168360008973e-292;
-  const double s_2_abs = fabs(s->m2), twice_d_size = s_2_abs * p_2_padded,
+  const double s_2_abs = fabs(s->m2), twice_d_size = KSL_MUL(s_2_abs, p_2_padded),
       twice_e_size = twice_c_size + twice_d_size;
   const double L_0_padded = L_0_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const double s_3_abs = fabs(s->m3), twice_f_size = KSL_MUL(s_3_abs, L_0_padded);
   const double L_1_padded = L_1_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_g_size = s_4_abs * L_1_padded,
+  const double s_4_abs = fabs(s->m4), twice_g_size = KSL_MUL(s_4_abs, L_1_padded),
       twice_h_size = twice_f_size + twice_g_size;
   const double L_2_padded = L_2_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_i_size = s_5_abs * L_2_padded,
+  const double s_5_abs = fabs(s->m5), twice_i_size = KSL_MUL(s_5_abs, L_2_padded),
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const double twice_padded = twice_size + 2.004168360008973e-292;
-  const double energy_size = 0.5 * twice_padded;
+  const double energy_size = KSL_MUL(0.5, twice_padded);
   const double energy_padded = energy_size + 2.004168360008973e-292,
-      energy_error_bound = 9.992007221626415e-16 * energy_padded;
+      energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
 }
@@ -395,27 +398,30 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
    42 mul, 54 add, 15 abs. */
 static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double mt_0 = t->x * B->m;
-  const double mt_1 = t->y * B->m;
-  const double mt_2 = t->z * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = B->h.x + half_0;
   const double n_1 = B->h.y + half_1;
   const double n_2 = B->h.z + half_2;
-  const double tn0 = t->x * n_0;
-  const double tn1 = t->y * n_1;
-  const double tn2 = t->z * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = B->h.x + mt_0;
   const double moved_1 = B->h.y + mt_1;
   const double moved_2 = B->h.z + mt_2;
@@ -426,35 +432,35 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
   const double Bo_8 = B->xz - pairs_4;
   const double Bo_9 = B->yz - pairs_5;
   const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = 0.5 * mt_0_padded;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
   const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = 0.5 * mt_1_padded;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
   const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = 0.5 * mt_2_padded;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
   const double B_1_abs = fabs(B->h.x), n_0_size = B_1_abs + half_0_size;
   const double B_2_abs = fabs(B->h.y), n_1_size = B_2_abs + half_1_size;
   const double B_3_abs = fabs(B->h.z), n_2_size = B_3_abs + half_2_size;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
-  const double t_0_abs = fabs(t->x), tn0_size = t_0_abs * n_0_padded;
+  const double t_0_abs = fabs(t->x), tn0_size = KSL_MUL(t_0_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
-  const double t_1_abs = fabs(t->y), tn1_size = t_1_abs * n_1_padded;
+  const double t_1_abs = fabs(t->y), tn1_size = KSL_MUL(t_1_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
-  const double t_2_abs = fabs(t->z), tn2_size = t_2_abs * n_2_padded;
+  const double t_2_abs = fabs(t->z), tn2_size = KSL_MUL(t_2_abs, n_2_padded);
   const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = 2.0 * tn0_padded;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
   const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = 2.0 * tn1_padded;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
   const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = 2.0 * tn2_padded;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
   const double pairs_0_size = own_1_size + own_2_size;
   const double pairs_1_size = own_0_size + own_2_size;
   const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double pairs_3a_size = KSL_MUL(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const double moved_0_size = B_1_abs + mt_0_abs;
   const double moved_1_size = B_2_abs + mt_1_abs;
   const double moved_2_size = B_3_abs + mt_2_abs;
@@ -465,23 +471,23 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
   const double B_8_abs = fabs(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
   const double B_9_abs = fabs(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
   const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = 2.2204460492503136e-16 * moved_0_padded;
+      moved_0_error_bound = KSL_MUL(2.2204460492503136e-16, moved_0_padded);
   const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = 2.2204460492503136e-16 * moved_1_padded;
+      moved_1_error_bound = KSL_MUL(2.2204460492503136e-16, moved_1_padded);
   const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = 2.2204460492503136e-16 * moved_2_padded;
+      moved_2_error_bound = KSL_MUL(2.2204460492503136e-16, moved_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 7.7715611723761e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(7.7715611723761e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 7.7715611723761e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(7.7715611723761e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 7.7715611723761e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(7.7715611723761e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 6.661338147750942e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(6.661338147750942e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 6.661338147750942e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(6.661338147750942e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 6.661338147750942e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(6.661338147750942e-16, Bo_9_padded);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -512,72 +518,75 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
    114 mul, 135 add, 51 abs. */
 static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const ksl_inertia_t *B,
     ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
-  const double RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const double turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const double turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const double turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const double turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const double turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const double turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const double turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const double turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const double turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const double mt_0 = D->m03 * B->m;
-  const double mt_1 = D->m13 * B->m;
-  const double mt_2 = D->m23 * B->m;
-  const double half_0 = 0.5 * mt_0;
-  const double half_1 = 0.5 * mt_1;
-  const double half_2 = 0.5 * mt_2;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
   const double n_0 = turned_1 + half_0;
   const double n_1 = turned_2 + half_1;
   const double n_2 = turned_3 + half_2;
-  const double tn0 = D->m03 * n_0;
-  const double tn1 = D->m13 * n_1;
-  const double tn2 = D->m23 * n_2;
-  const double own_0 = 2.0 * tn0;
-  const double own_1 = 2.0 * tn1;
-  const double own_2 = 2.0 * tn2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
   const double pairs_0 = own_1 + own_2;
   const double pairs_1 = own_0 + own_2;
   const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const double moved_0 = turned_1 + mt_0;
   const double moved_1 = turned_2 + mt_1;
   const double moved_2 = turned_3 + mt_2;
@@ -615,68 +624,74 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
       turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabs(turned_3d),
       turned_3_size = turned_3c_size + turned_3d_abs;
   const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const double D_00_abs = fabs(D->m00), turned_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
   const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double D_01_abs = fabs(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+  const double D_01_abs = fabs(D->m01), turned_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
       turned_4c_size = turned_4a_size + turned_4b_size;
   const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double D_02_abs = fabs(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+  const double D_02_abs = fabs(D->m02), turned_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
       turned_4_size = turned_4c_size + turned_4d_size;
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const double D_10_abs = fabs(D->m10), turned_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double D_11_abs = fabs(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+  const double D_11_abs = fabs(D->m11), turned_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
       turned_5c_size = turned_5a_size + turned_5b_size;
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double D_12_abs = fabs(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+  const double D_12_abs = fabs(D->m12), turned_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
       turned_5_size = turned_5c_size + turned_5d_size;
   const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const double D_20_abs = fabs(D->m20), turned_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
   const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double D_21_abs = fabs(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+  const double D_21_abs = fabs(D->m21), turned_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
       turned_6c_size = turned_6a_size + turned_6b_size;
   const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double D_22_abs = fabs(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+  const double D_22_abs = fabs(D->m22), turned_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
       turned_6_size = turned_6c_size + turned_6d_size;
-  const double turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
-      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+  const double turned_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MUL(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MUL(D_12_abs, RI_2_padded),
       turned_7_size = turned_7c_size + turned_7d_size;
-  const double turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
-      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+  const double turned_8a_size = KSL_MUL(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MUL(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MUL(D_22_abs, RI_2_padded),
       turned_8_size = turned_8c_size + turned_8d_size;
-  const double turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
-      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+  const double turned_9a_size = KSL_MUL(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MUL(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MUL(D_22_abs, RI_5_padded),
       turned_9_size = turned_9c_size + turned_9d_size;
   const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = 0.5 * mt_0_padded;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
   const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = 0.5 * mt_1_padded;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
   const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = 0.5 * mt_2_padded;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
   const double n_0_size = turned_1_size + half_0_size;
   const double n_1_size = turned_2_size + half_1_size;
   const double n_2_size = turned_3_size + half_2_size;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
-  const double D_03_abs = fabs(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const double D_03_abs = fabs(D->m03), tn0_size = KSL_MUL(D_03_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const double D_13_abs = fabs(D->m13), tn1_size = KSL_MUL(D_13_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const double D_23_abs = fabs(D->m23), tn2_size = KSL_MUL(D_23_abs, n_2_padded);
   const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = 2.0 * tn0_padded;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
   const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = 2.0 * tn1_padded;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
   const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = 2.0 * tn2_padded;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
   const double pairs_0_size = own_1_size + own_2_size;
   const double pairs_1_size = own_0_size + own_2_size;
   const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double pairs_3a_size = KSL_MUL(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const double moved_0_size = turned_1_size + mt_0_abs;
   const double moved_1_size = turned_2_size + mt_1_abs;
   const double moved_2_size = turned_3_size + mt_2_abs;
@@ -687,23 +702,23 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
   const double Bo_8_size = turned_8_size + pairs_4_size;
   const double Bo_9_size = turned_9_size + pairs_5_size;
   const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = 4.440892098500628e-16 * moved_0_padded;
+      moved_0_error_bound = KSL_MUL(4.440892098500628e-16, moved_0_padded);
   const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = 4.440892098500628e-16 * moved_1_padded;
+      moved_1_error_bound = KSL_MUL(4.440892098500628e-16, moved_1_padded);
   const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = 4.440892098500628e-16 * moved_2_padded;
+      moved_2_error_bound = KSL_MUL(4.440892098500628e-16, moved_2_padded);
   const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = 8.881784197001258e-16 * Bo_4_padded;
+      Bo_4_error_bound = KSL_MUL(8.881784197001258e-16, Bo_4_padded);
   const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = 8.881784197001258e-16 * Bo_5_padded;
+      Bo_5_error_bound = KSL_MUL(8.881784197001258e-16, Bo_5_padded);
   const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = 8.881784197001258e-16 * Bo_6_padded;
+      Bo_6_error_bound = KSL_MUL(8.881784197001258e-16, Bo_6_padded);
   const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = 7.7715611723761e-16 * Bo_7_padded;
+      Bo_7_error_bound = KSL_MUL(7.7715611723761e-16, Bo_7_padded);
   const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = 7.7715611723761e-16 * Bo_8_padded;
+      Bo_8_error_bound = KSL_MUL(7.7715611723761e-16, Bo_8_padded);
   const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = 7.7715611723761e-16 * Bo_9_padded;
+      Bo_9_error_bound = KSL_MUL(7.7715611723761e-16, Bo_9_padded);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -733,46 +748,46 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
    20 mul, 10 add, 10 abs. */
 static inline void ksl_inertiaf_scale_certified(ksl_inertiaf_t *self, const float a,
     ksl_inertiaf_t *self_bound) {
-  const float self_0_new = self->m * a;
-  const float self_1_new = self->h.x * a;
-  const float self_2_new = self->h.y * a;
-  const float self_3_new = self->h.z * a;
-  const float self_4_new = self->xx * a;
-  const float self_5_new = self->yy * a;
-  const float self_6_new = self->zz * a;
-  const float self_7_new = self->xy * a;
-  const float self_8_new = self->xz * a;
-  const float self_9_new = self->yz * a;
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   const float self_6_new_abs = fabsf(self_6_new),
       self_6_new_padded = self_6_new_abs + 1.9721523e-31f,
-      self_6_new_error_bound = 5.960465e-08f * self_6_new_padded;
+      self_6_new_error_bound = KSL_MULF(5.960465e-08f, self_6_new_padded);
   const float self_7_new_abs = fabsf(self_7_new),
       self_7_new_padded = self_7_new_abs + 1.9721523e-31f,
-      self_7_new_error_bound = 5.960465e-08f * self_7_new_padded;
+      self_7_new_error_bound = KSL_MULF(5.960465e-08f, self_7_new_padded);
   const float self_8_new_abs = fabsf(self_8_new),
       self_8_new_padded = self_8_new_abs + 1.9721523e-31f,
-      self_8_new_error_bound = 5.960465e-08f * self_8_new_padded;
+      self_8_new_error_bound = KSL_MULF(5.960465e-08f, self_8_new_padded);
   const float self_9_new_abs = fabsf(self_9_new),
       self_9_new_padded = self_9_new_abs + 1.9721523e-31f,
-      self_9_new_error_bound = 5.960465e-08f * self_9_new_padded;
+      self_9_new_error_bound = KSL_MULF(5.960465e-08f, self_9_new_padded);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -811,16 +826,16 @@ static inline void ksl_add_BBf_certified(const ksl_inertiaf_t *B1, const ksl_ine
   const float Bo_7 = B1->xy + B2->xy;
   const float Bo_8 = B1->xz + B2->xz;
   const float Bo_9 = B1->yz + B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -859,16 +874,16 @@ static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ks
   const float Bo_7 = B1->xy - B2->xy;
   const float Bo_8 = B1->xz - B2->xz;
   const float Bo_9 = B1->yz - B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = 5.960465e-08f * Bo_0_abs;
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = 5.960465e-08f * Bo_1_abs;
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = 5.960465e-08f * Bo_2_abs;
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = 5.960465e-08f * Bo_3_abs;
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = 5.960465e-08f * Bo_4_abs;
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = 5.960465e-08f * Bo_5_abs;
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = 5.960465e-08f * Bo_6_abs;
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = 5.960465e-08f * Bo_7_abs;
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = 5.960465e-08f * Bo_8_abs;
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = 5.960465e-08f * Bo_9_abs;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -899,51 +914,51 @@ static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ks
    24 mul, 27 add, 12 abs. */
 static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float h_0 = m * com->x;
-  const float h_1 = m * com->y;
-  const float h_2 = m * com->z;
-  const float squares_0 = com->x * h_0;
-  const float squares_1 = com->y * h_1;
-  const float squares_2 = com->z * h_2;
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
   const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
   const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
   const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = com->y * h_0, Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = com->z * h_0, Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = com->z * h_1, Bo_9 = Ic->m12 - Bo_9a;
+  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
   const float h_0_abs = fabsf(h_0), h_0_padded = h_0_abs + 1.9721523e-31f;
-  const float com_0_abs = fabsf(com->x), squares_0_size = com_0_abs * h_0_padded;
+  const float com_0_abs = fabsf(com->x), squares_0_size = KSL_MULF(com_0_abs, h_0_padded);
   const float h_1_abs = fabsf(h_1), h_1_padded = h_1_abs + 1.9721523e-31f;
-  const float com_1_abs = fabsf(com->y), squares_1_size = com_1_abs * h_1_padded;
+  const float com_1_abs = fabsf(com->y), squares_1_size = KSL_MULF(com_1_abs, h_1_padded);
   const float h_2_abs = fabsf(h_2), h_2_padded = h_2_abs + 1.9721523e-31f;
-  const float com_2_abs = fabsf(com->z), squares_2_size = com_2_abs * h_2_padded;
+  const float com_2_abs = fabsf(com->z), squares_2_size = KSL_MULF(com_2_abs, h_2_padded);
   const float Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabsf(Ic->m00),
       Bo_4_size = Ic_00_abs + Bo_4a_size;
   const float Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabsf(Ic->m11),
       Bo_5_size = Ic_11_abs + Bo_5a_size;
   const float Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabsf(Ic->m22),
       Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const float Bo_7a_size = com_1_abs * h_0_padded, Ic_01_abs = fabsf(Ic->m01),
+  const float Bo_7a_size = KSL_MULF(com_1_abs, h_0_padded), Ic_01_abs = fabsf(Ic->m01),
       Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const float Bo_8a_size = com_2_abs * h_0_padded, Ic_02_abs = fabsf(Ic->m02),
+  const float Bo_8a_size = KSL_MULF(com_2_abs, h_0_padded), Ic_02_abs = fabsf(Ic->m02),
       Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const float Bo_9a_size = com_2_abs * h_1_padded, Ic_12_abs = fabsf(Ic->m12),
+  const float Bo_9a_size = KSL_MULF(com_2_abs, h_1_padded), Ic_12_abs = fabsf(Ic->m12),
       Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const float h_0_error_bound = 5.960465e-08f * h_0_padded;
-  const float h_1_error_bound = 5.960465e-08f * h_1_padded;
-  const float h_2_error_bound = 5.960465e-08f * h_2_padded;
+  const float h_0_error_bound = KSL_MULF(5.960465e-08f, h_0_padded);
+  const float h_1_error_bound = KSL_MULF(5.960465e-08f, h_1_padded);
+  const float h_2_error_bound = KSL_MULF(5.960465e-08f, h_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 2.3841864e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(2.3841864e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 2.3841864e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(2.3841864e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 2.3841864e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(2.3841864e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 1.7881396e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(1.7881396e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 1.7881396e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(1.7881396e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 1.7881396e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(1.7881396e-07f, Bo_9_padded);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -973,21 +988,24 @@ static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3
    30 mul, 42 add, 24 abs. */
 static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
-  const float co_0a = B->m * s->m0, co_0b = B->h.z * s->m4, co_0c = B->h.y * s->m5,
-      co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const float co_1a = B->m * s->m1, co_1b = B->h.x * s->m5, co_1c = B->h.z * s->m3,
-      co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const float co_2a = B->m * s->m2, co_2b = B->h.y * s->m3, co_2c = B->h.x * s->m4,
-      co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const float co_3a = B->h.y * s->m2, co_3b = B->h.z * s->m1, co_3c = co_3a - co_3b,
-      co_3d = B->xx * s->m3, co_3e = B->xy * s->m4, co_3f = co_3d + co_3e, co_3g = B->xz * s->m5,
-      co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const float co_4a = B->h.z * s->m0, co_4b = B->h.x * s->m2, co_4c = co_4a - co_4b,
-      co_4d = B->yy * s->m4, co_4e = B->xy * s->m3, co_4f = co_4d + co_4e, co_4g = B->yz * s->m5,
-      co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const float co_5a = B->h.x * s->m1, co_5b = B->h.y * s->m0, co_5c = co_5a - co_5b,
-      co_5d = B->zz * s->m5, co_5e = B->xz * s->m3, co_5f = co_5d + co_5e, co_5g = B->yz * s->m4,
-      co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
   const float co_0b_abs = fabsf(co_0b), co_0c_abs = fabsf(co_0c),
       co_0d_size = co_0b_abs + co_0c_abs, co_0a_abs = fabsf(co_0a),
       co_0_size = co_0a_abs + co_0d_size;
@@ -1010,17 +1028,17 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
       co_5f_size = co_5d_abs + co_5e_abs, co_5g_abs = fabsf(co_5g),
       co_5h_size = co_5f_size + co_5g_abs, co_5_size = co_5c_size + co_5h_size;
   const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = 1.7881396e-07f * co_0_padded;
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
   const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = 1.7881396e-07f * co_1_padded;
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
   const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = 1.7881396e-07f * co_2_padded;
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
   const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = 2.3841864e-07f * co_3_padded;
+      co_3_error_bound = KSL_MULF(2.3841864e-07f, co_3_padded);
   const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = 2.3841864e-07f * co_4_padded;
+      co_4_error_bound = KSL_MULF(2.3841864e-07f, co_4_padded);
   const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = 2.3841864e-07f * co_5_padded;
+      co_5_error_bound = KSL_MULF(2.3841864e-07f, co_5_padded);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1042,29 +1060,29 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
    39 mul, 45 add, 24 abs. */
 static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
     float *energy_bound) {
-  const float across_0a = B->h.z * s->m4, across_0b = B->h.y * s->m5,
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
-  const float across_1a = B->h.x * s->m5, across_1b = B->h.z * s->m3,
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
-  const float across_2a = B->h.y * s->m3, across_2b = B->h.x * s->m4,
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const float twice_across_0 = 2.0f * across_0;
-  const float twice_across_1 = 2.0f * across_1;
-  const float twice_across_2 = 2.0f * across_2;
-  const float p_0a = B->m * s->m0, p_0 = p_0a + twice_across_0;
-  const float p_1a = B->m * s->m1, p_1 = p_1a + twice_across_1;
-  const float p_2a = B->m * s->m2, p_2 = p_2a + twice_across_2;
-  const float L_0a = B->xx * s->m3, L_0b = B->xy * s->m4, L_0c = L_0a + L_0b, L_0d = B->xz * s->m5,
-      L_0 = L_0c + L_0d;
-  const float L_1a = B->yy * s->m4, L_1b = B->xy * s->m3, L_1c = L_1a + L_1b, L_1d = B->yz * s->m5,
-      L_1 = L_1c + L_1d;
-  const float L_2a = B->zz * s->m5, L_2b = B->xz * s->m3, L_2c = L_2a + L_2b, L_2d = B->yz * s->m4,
-      L_2 = L_2c + L_2d;
-  const float twice_a = s->m0 * p_0, twice_b = s->m1 * p_1, twice_c = twice_a + twice_b,
-      twice_d = s->m2 * p_2, twice_e = twice_c + twice_d, twice_f = s->m3 * L_0,
-      twice_g = s->m4 * L_1, twice_h = twice_f + twice_g, twice_i = s->m5 * L_2,
-      twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = 0.5f * twice;
+  const float twice_across_0 = KSL_MULF(2.0f, across_0);
+  const float twice_across_1 = KSL_MULF(2.0f, across_1);
+  const float twice_across_2 = KSL_MULF(2.0f, across_2);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = KSL_MULF(0.5f, twice);
   const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
@@ -1072,11 +1090,11 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
   const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const float across_0_padded = across_0_size + 1.9721523e-31f;
-  const float twice_across_0_size = 2.0f * across_0_padded;
+  const float twice_across_0_size = KSL_MULF(2.0f, across_0_padded);
   const float across_1_padded = across_1_size + 1.9721523e-31f;
-  const float twice_across_1_size = 2.0f * across_1_padded;
+  const float twice_across_1_size = KSL_MULF(2.0f, across_1_padded);
   const float across_2_padded = across_2_size + 1.9721523e-31f;
-  const float twice_across_2_size = 2.0f * across_2_padded;
+  const float twice_across_2_size = KSL_MULF(2.0f, across_2_padded);
   const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
   const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
   const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
@@ -1087,25 +1105,25 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
   const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
       L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
   const float p_0_padded = p_0_size + 1.9721523e-31f;
-  const float s_0_abs = fabsf(s->m0), twice_a_size = s_0_abs * p_0_padded;
+  const float s_0_abs = fabsf(s->m0), twice_a_size = KSL_MULF(s_0_abs, p_0_padded);
   const float p_1_padded = p_1_size + 1.9721523e-31f;
-  const float s_1_abs = fabsf(s->m1), twice_b_size = s_1_abs * p_1_padded,
+  const float s_1_abs = fabsf(s->m1), twice_b_size = KSL_MULF(s_1_abs, p_1_padded),
       twice_c_size = twice_a_size + twice_b_size;
   const float p_2_padded = p_2_size + 1.9721523e-31f;
-  const float s_2_abs = fabsf(s->m2), twice_d_size = s_2_abs * p_2_padded,
+  const float s_2_abs = fabsf(s->m2), twice_d_size = KSL_MULF(s_2_abs, p_2_padded),
       twice_e_size = twice_c_size + twice_d_size;
   const float L_0_padded = L_0_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_f_size = s_3_abs * L_0_padded;
+  const float s_3_abs = fabsf(s->m3), twice_f_size = KSL_MULF(s_3_abs, L_0_padded);
   const float L_1_padded = L_1_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_g_size = s_4_abs * L_1_padded,
+  const float s_4_abs = fabsf(s->m4), twice_g_size = KSL_MULF(s_4_abs, L_1_padded),
       twice_h_size = twice_f_size + twice_g_size;
   const float L_2_padded = L_2_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_i_size = s_5_abs * L_2_padded,
+  const float s_5_abs = fabsf(s->m5), twice_i_size = KSL_MULF(s_5_abs, L_2_padded),
       twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
   const float twice_padded = twice_size + 1.9721523e-31f;
-  const float energy_size = 0.5f * twice_padded;
+  const float energy_size = KSL_MULF(0.5f, twice_padded);
   const float energy_padded = energy_size + 1.9721523e-31f,
-      energy_error_bound = 5.36442e-07f * energy_padded;
+      energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
 }
@@ -1117,27 +1135,30 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
    42 mul, 54 add, 15 abs. */
 static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
     ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float mt_0 = t->x * B->m;
-  const float mt_1 = t->y * B->m;
-  const float mt_2 = t->z * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = B->h.x + half_0;
   const float n_1 = B->h.y + half_1;
   const float n_2 = B->h.z + half_2;
-  const float tn0 = t->x * n_0;
-  const float tn1 = t->y * n_1;
-  const float tn2 = t->z * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = t->x * n_1, pairs_3b = t->y * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = t->x * n_2, pairs_4b = t->z * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = t->y * n_2, pairs_5b = t->z * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = B->h.x + mt_0;
   const float moved_1 = B->h.y + mt_1;
   const float moved_2 = B->h.z + mt_2;
@@ -1148,35 +1169,35 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
   const float Bo_8 = B->xz - pairs_4;
   const float Bo_9 = B->yz - pairs_5;
   const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = 0.5f * mt_0_padded;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
   const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = 0.5f * mt_1_padded;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
   const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = 0.5f * mt_2_padded;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
   const float B_1_abs = fabsf(B->h.x), n_0_size = B_1_abs + half_0_size;
   const float B_2_abs = fabsf(B->h.y), n_1_size = B_2_abs + half_1_size;
   const float B_3_abs = fabsf(B->h.z), n_2_size = B_3_abs + half_2_size;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
-  const float t_0_abs = fabsf(t->x), tn0_size = t_0_abs * n_0_padded;
+  const float t_0_abs = fabsf(t->x), tn0_size = KSL_MULF(t_0_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
-  const float t_1_abs = fabsf(t->y), tn1_size = t_1_abs * n_1_padded;
+  const float t_1_abs = fabsf(t->y), tn1_size = KSL_MULF(t_1_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
-  const float t_2_abs = fabsf(t->z), tn2_size = t_2_abs * n_2_padded;
+  const float t_2_abs = fabsf(t->z), tn2_size = KSL_MULF(t_2_abs, n_2_padded);
   const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = 2.0f * tn0_padded;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
   const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = 2.0f * tn1_padded;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
   const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = 2.0f * tn2_padded;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
   const float pairs_0_size = own_1_size + own_2_size;
   const float pairs_1_size = own_0_size + own_2_size;
   const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = t_0_abs * n_1_padded, pairs_3b_size = t_1_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = t_0_abs * n_2_padded, pairs_4b_size = t_2_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = t_1_abs * n_2_padded, pairs_5b_size = t_2_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float pairs_3a_size = KSL_MULF(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const float moved_0_size = B_1_abs + mt_0_abs;
   const float moved_1_size = B_2_abs + mt_1_abs;
   const float moved_2_size = B_3_abs + mt_2_abs;
@@ -1187,23 +1208,23 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
   const float B_8_abs = fabsf(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
   const float B_9_abs = fabsf(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
   const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = 1.192093e-07f * moved_0_padded;
+      moved_0_error_bound = KSL_MULF(1.192093e-07f, moved_0_padded);
   const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = 1.192093e-07f * moved_1_padded;
+      moved_1_error_bound = KSL_MULF(1.192093e-07f, moved_1_padded);
   const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = 1.192093e-07f * moved_2_padded;
+      moved_2_error_bound = KSL_MULF(1.192093e-07f, moved_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 4.1723263e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(4.1723263e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 4.1723263e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(4.1723263e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 4.1723263e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(4.1723263e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 3.5762795e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(3.5762795e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 3.5762795e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(3.5762795e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 3.5762795e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(3.5762795e-07f, Bo_9_padded);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1234,72 +1255,75 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
    114 mul, 135 add, 51 abs. */
 static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
     const ksl_inertiaf_t *B, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
-  const float RI_0a = D->m00 * B->xx, RI_0b = D->m01 * B->xy, RI_0c = RI_0a + RI_0b,
-      RI_0d = D->m02 * B->xz, RI_0 = RI_0c + RI_0d;
-  const float RI_1a = D->m00 * B->xy, RI_1b = D->m01 * B->yy, RI_1c = RI_1a + RI_1b,
-      RI_1d = D->m02 * B->yz, RI_1 = RI_1c + RI_1d;
-  const float RI_2a = D->m00 * B->xz, RI_2b = D->m01 * B->yz, RI_2c = RI_2a + RI_2b,
-      RI_2d = D->m02 * B->zz, RI_2 = RI_2c + RI_2d;
-  const float RI_3a = D->m10 * B->xx, RI_3b = D->m11 * B->xy, RI_3c = RI_3a + RI_3b,
-      RI_3d = D->m12 * B->xz, RI_3 = RI_3c + RI_3d;
-  const float RI_4a = D->m10 * B->xy, RI_4b = D->m11 * B->yy, RI_4c = RI_4a + RI_4b,
-      RI_4d = D->m12 * B->yz, RI_4 = RI_4c + RI_4d;
-  const float RI_5a = D->m10 * B->xz, RI_5b = D->m11 * B->yz, RI_5c = RI_5a + RI_5b,
-      RI_5d = D->m12 * B->zz, RI_5 = RI_5c + RI_5d;
-  const float RI_6a = D->m20 * B->xx, RI_6b = D->m21 * B->xy, RI_6c = RI_6a + RI_6b,
-      RI_6d = D->m22 * B->xz, RI_6 = RI_6c + RI_6d;
-  const float RI_7a = D->m20 * B->xy, RI_7b = D->m21 * B->yy, RI_7c = RI_7a + RI_7b,
-      RI_7d = D->m22 * B->yz, RI_7 = RI_7c + RI_7d;
-  const float RI_8a = D->m20 * B->xz, RI_8b = D->m21 * B->yz, RI_8c = RI_8a + RI_8b,
-      RI_8d = D->m22 * B->zz, RI_8 = RI_8c + RI_8d;
-  const float turned_1a = D->m00 * B->h.x, turned_1b = D->m01 * B->h.y,
-      turned_1c = turned_1a + turned_1b, turned_1d = D->m02 * B->h.z,
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
       turned_1 = turned_1c + turned_1d;
-  const float turned_2a = D->m10 * B->h.x, turned_2b = D->m11 * B->h.y,
-      turned_2c = turned_2a + turned_2b, turned_2d = D->m12 * B->h.z,
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
       turned_2 = turned_2c + turned_2d;
-  const float turned_3a = D->m20 * B->h.x, turned_3b = D->m21 * B->h.y,
-      turned_3c = turned_3a + turned_3b, turned_3d = D->m22 * B->h.z,
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
       turned_3 = turned_3c + turned_3d;
-  const float turned_4a = D->m00 * RI_0, turned_4b = D->m01 * RI_1,
-      turned_4c = turned_4a + turned_4b, turned_4d = D->m02 * RI_2,
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
-  const float turned_5a = D->m10 * RI_3, turned_5b = D->m11 * RI_4,
-      turned_5c = turned_5a + turned_5b, turned_5d = D->m12 * RI_5,
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
       turned_5 = turned_5c + turned_5d;
-  const float turned_6a = D->m20 * RI_6, turned_6b = D->m21 * RI_7,
-      turned_6c = turned_6a + turned_6b, turned_6d = D->m22 * RI_8,
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
       turned_6 = turned_6c + turned_6d;
-  const float turned_7a = D->m10 * RI_0, turned_7b = D->m11 * RI_1,
-      turned_7c = turned_7a + turned_7b, turned_7d = D->m12 * RI_2,
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
       turned_7 = turned_7c + turned_7d;
-  const float turned_8a = D->m20 * RI_0, turned_8b = D->m21 * RI_1,
-      turned_8c = turned_8a + turned_8b, turned_8d = D->m22 * RI_2,
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
       turned_8 = turned_8c + turned_8d;
-  const float turned_9a = D->m20 * RI_3, turned_9b = D->m21 * RI_4,
-      turned_9c = turned_9a + turned_9b, turned_9d = D->m22 * RI_5,
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
       turned_9 = turned_9c + turned_9d;
-  const float mt_0 = D->m03 * B->m;
-  const float mt_1 = D->m13 * B->m;
-  const float mt_2 = D->m23 * B->m;
-  const float half_0 = 0.5f * mt_0;
-  const float half_1 = 0.5f * mt_1;
-  const float half_2 = 0.5f * mt_2;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
   const float n_0 = turned_1 + half_0;
   const float n_1 = turned_2 + half_1;
   const float n_2 = turned_3 + half_2;
-  const float tn0 = D->m03 * n_0;
-  const float tn1 = D->m13 * n_1;
-  const float tn2 = D->m23 * n_2;
-  const float own_0 = 2.0f * tn0;
-  const float own_1 = 2.0f * tn1;
-  const float own_2 = 2.0f * tn2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
   const float pairs_0 = own_1 + own_2;
   const float pairs_1 = own_0 + own_2;
   const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = D->m03 * n_1, pairs_3b = D->m13 * n_0, pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = D->m03 * n_2, pairs_4b = D->m23 * n_0, pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = D->m13 * n_2, pairs_5b = D->m23 * n_1, pairs_5 = pairs_5a + pairs_5b;
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
   const float moved_0 = turned_1 + mt_0;
   const float moved_1 = turned_2 + mt_1;
   const float moved_2 = turned_3 + mt_2;
@@ -1346,68 +1370,74 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
       turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabsf(turned_3d),
       turned_3_size = turned_3c_size + turned_3d_abs;
   const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), turned_4a_size = D_00_abs * RI_0_padded;
+  const float D_00_abs = fabsf(D->m00), turned_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
   const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float D_01_abs = fabsf(D->m01), turned_4b_size = D_01_abs * RI_1_padded,
+  const float D_01_abs = fabsf(D->m01), turned_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
       turned_4c_size = turned_4a_size + turned_4b_size;
   const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float D_02_abs = fabsf(D->m02), turned_4d_size = D_02_abs * RI_2_padded,
+  const float D_02_abs = fabsf(D->m02), turned_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
       turned_4_size = turned_4c_size + turned_4d_size;
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), turned_5a_size = D_10_abs * RI_3_padded;
+  const float D_10_abs = fabsf(D->m10), turned_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float D_11_abs = fabsf(D->m11), turned_5b_size = D_11_abs * RI_4_padded,
+  const float D_11_abs = fabsf(D->m11), turned_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
       turned_5c_size = turned_5a_size + turned_5b_size;
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float D_12_abs = fabsf(D->m12), turned_5d_size = D_12_abs * RI_5_padded,
+  const float D_12_abs = fabsf(D->m12), turned_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
       turned_5_size = turned_5c_size + turned_5d_size;
   const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), turned_6a_size = D_20_abs * RI_6_padded;
+  const float D_20_abs = fabsf(D->m20), turned_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
   const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float D_21_abs = fabsf(D->m21), turned_6b_size = D_21_abs * RI_7_padded,
+  const float D_21_abs = fabsf(D->m21), turned_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
       turned_6c_size = turned_6a_size + turned_6b_size;
   const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float D_22_abs = fabsf(D->m22), turned_6d_size = D_22_abs * RI_8_padded,
+  const float D_22_abs = fabsf(D->m22), turned_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
       turned_6_size = turned_6c_size + turned_6d_size;
-  const float turned_7a_size = D_10_abs * RI_0_padded, turned_7b_size = D_11_abs * RI_1_padded,
-      turned_7c_size = turned_7a_size + turned_7b_size, turned_7d_size = D_12_abs * RI_2_padded,
+  const float turned_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MULF(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MULF(D_12_abs, RI_2_padded),
       turned_7_size = turned_7c_size + turned_7d_size;
-  const float turned_8a_size = D_20_abs * RI_0_padded, turned_8b_size = D_21_abs * RI_1_padded,
-      turned_8c_size = turned_8a_size + turned_8b_size, turned_8d_size = D_22_abs * RI_2_padded,
+  const float turned_8a_size = KSL_MULF(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MULF(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MULF(D_22_abs, RI_2_padded),
       turned_8_size = turned_8c_size + turned_8d_size;
-  const float turned_9a_size = D_20_abs * RI_3_padded, turned_9b_size = D_21_abs * RI_4_padded,
-      turned_9c_size = turned_9a_size + turned_9b_size, turned_9d_size = D_22_abs * RI_5_padded,
+  const float turned_9a_size = KSL_MULF(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MULF(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MULF(D_22_abs, RI_5_padded),
       turned_9_size = turned_9c_size + turned_9d_size;
   const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = 0.5f * mt_0_padded;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
   const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = 0.5f * mt_1_padded;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
   const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = 0.5f * mt_2_padded;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
   const float n_0_size = turned_1_size + half_0_size;
   const float n_1_size = turned_2_size + half_1_size;
   const float n_2_size = turned_3_size + half_2_size;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
-  const float D_03_abs = fabsf(D->m03), tn0_size = D_03_abs * n_0_padded;
+  const float D_03_abs = fabsf(D->m03), tn0_size = KSL_MULF(D_03_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), tn1_size = D_13_abs * n_1_padded;
+  const float D_13_abs = fabsf(D->m13), tn1_size = KSL_MULF(D_13_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), tn2_size = D_23_abs * n_2_padded;
+  const float D_23_abs = fabsf(D->m23), tn2_size = KSL_MULF(D_23_abs, n_2_padded);
   const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = 2.0f * tn0_padded;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
   const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = 2.0f * tn1_padded;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
   const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = 2.0f * tn2_padded;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
   const float pairs_0_size = own_1_size + own_2_size;
   const float pairs_1_size = own_0_size + own_2_size;
   const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = D_03_abs * n_1_padded, pairs_3b_size = D_13_abs * n_0_padded,
-      pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = D_03_abs * n_2_padded, pairs_4b_size = D_23_abs * n_0_padded,
-      pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = D_13_abs * n_2_padded, pairs_5b_size = D_23_abs * n_1_padded,
-      pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float pairs_3a_size = KSL_MULF(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
   const float moved_0_size = turned_1_size + mt_0_abs;
   const float moved_1_size = turned_2_size + mt_1_abs;
   const float moved_2_size = turned_3_size + mt_2_abs;
@@ -1418,23 +1448,23 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
   const float Bo_8_size = turned_8_size + pairs_4_size;
   const float Bo_9_size = turned_9_size + pairs_5_size;
   const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = 2.3841864e-07f * moved_0_padded;
+      moved_0_error_bound = KSL_MULF(2.3841864e-07f, moved_0_padded);
   const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = 2.3841864e-07f * moved_1_padded;
+      moved_1_error_bound = KSL_MULF(2.3841864e-07f, moved_1_padded);
   const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = 2.3841864e-07f * moved_2_padded;
+      moved_2_error_bound = KSL_MULF(2.3841864e-07f, moved_2_padded);
   const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = 4.7683733e-07f * Bo_4_padded;
+      Bo_4_error_bound = KSL_MULF(4.7683733e-07f, Bo_4_padded);
   const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = 4.7683733e-07f * Bo_5_padded;
+      Bo_5_error_bound = KSL_MULF(4.7683733e-07f, Bo_5_padded);
   const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = 4.7683733e-07f * Bo_6_padded;
+      Bo_6_error_bound = KSL_MULF(4.7683733e-07f, Bo_6_padded);
   const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = 4.1723263e-07f * Bo_7_padded;
+      Bo_7_error_bound = KSL_MULF(4.1723263e-07f, Bo_7_padded);
   const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = 4.1723263e-07f * Bo_8_padded;
+      Bo_8_error_bound = KSL_MULF(4.1723263e-07f, Bo_8_padded);
   const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = 4.1723263e-07f * Bo_9_padded;
+      Bo_9_error_bound = KSL_MULF(4.1723263e-07f, Bo_9_padded);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;

@@ -4,24 +4,11 @@
 /* Exact rounding errors in double precision, for compensated kernels.
 
    Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; a smaller one's
-   error is rounded to a multiple of the least subnormal number.  Needs every operation rounded to
-   double on its own: compile with -ffp-contract=off, and not for the x87. */
+   error is rounded to a multiple of the least subnormal number. */
 #ifndef KSL_EXACT_H
 #define KSL_EXACT_H
 
 #include "ksl_types.h"
-
-#if defined(__FAST_MATH__)
-#error "-ffast-math undoes compensated arithmetic"
-#endif
-
-#if defined(KSL_HAS_FMA)
-/* as whoever includes this says */
-#elif defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(FP_FAST_FMA)
-#define KSL_HAS_FMA 1
-#else
-#define KSL_HAS_FMA 0
-#endif
 
 #if !KSL_HAS_FMA
 /* Whether halves of 26 bits, their products and sums neither over- nor underflow. */
@@ -43,10 +30,11 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #else
   if (!ksl_splits(a, b, p)) { return fma(a, b, -p); }
   const double splitter = 134217729.0; /* 2^27 + 1 */
-  const double c = splitter * a, d = c - a, a_high = c - d, a_low = a - a_high;
-  const double e = splitter * b, f = e - b, b_high = e - f, b_low = b - b_high;
-  const double high = a_high * b_high, cross1 = a_high * b_low, cross2 = a_low * b_high;
-  const double low = a_low * b_low, g = high - p, h = g + cross1, i = h + cross2;
+  const double c = KSL_MUL(splitter, a), d = c - a, a_high = c - d, a_low = a - a_high;
+  const double e = KSL_MUL(splitter, b), f = e - b, b_high = e - f, b_low = b - b_high;
+  const double high = KSL_MUL(a_high, b_high), cross1 = KSL_MUL(a_high, b_low);
+  const double cross2 = KSL_MUL(a_low, b_high), low = KSL_MUL(a_low, b_low);
+  const double g = high - p, h = g + cross1, i = h + cross2;
   return i + low;
 #endif
 }

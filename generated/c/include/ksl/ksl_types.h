@@ -9,8 +9,7 @@
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere: compile with -ffp-contract=off (and, where the target
-   has fused multiply-adds, with gcc's -fno-tree-vectorize: gcc 12 fuses in spite of the former).
+   that results are the same bits everywhere, under every flag that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -20,15 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-#if !defined(KSL_ALLOW_FAST_MATH)
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#endif
-#endif
+#include "ksl_rounding.h"
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0

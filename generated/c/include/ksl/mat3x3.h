@@ -197,11 +197,11 @@ static inline void ksl_mat3x3_transposed(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const double n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const double det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const double det_a = KSL_MUL(R->m00, n_0), det_b = KSL_MUL(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MUL(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 
@@ -212,17 +212,26 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
 static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
-  const double n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
-  const double n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
-  const double n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
-  const double n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
-  const double n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
-  const double n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
-  const double n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
-  const double n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
-  const double d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
-      d = d_c + d_d;
+  const double n0_0a = KSL_MUL(R->m11, R->m22), n0_0b = KSL_MUL(R->m12, R->m21),
+      n0_0 = n0_0a - n0_0b;
+  const double n0_1a = KSL_MUL(R->m02, R->m21), n0_1b = KSL_MUL(R->m01, R->m22),
+      n0_1 = n0_1a - n0_1b;
+  const double n0_2a = KSL_MUL(R->m01, R->m12), n0_2b = KSL_MUL(R->m02, R->m11),
+      n0_2 = n0_2a - n0_2b;
+  const double n1_0a = KSL_MUL(R->m12, R->m20), n1_0b = KSL_MUL(R->m10, R->m22),
+      n1_0 = n1_0a - n1_0b;
+  const double n1_1a = KSL_MUL(R->m00, R->m22), n1_1b = KSL_MUL(R->m02, R->m20),
+      n1_1 = n1_1a - n1_1b;
+  const double n1_2a = KSL_MUL(R->m02, R->m10), n1_2b = KSL_MUL(R->m00, R->m12),
+      n1_2 = n1_2a - n1_2b;
+  const double n2_0a = KSL_MUL(R->m10, R->m21), n2_0b = KSL_MUL(R->m11, R->m20),
+      n2_0 = n2_0a - n2_0b;
+  const double n2_1a = KSL_MUL(R->m01, R->m20), n2_1b = KSL_MUL(R->m00, R->m21),
+      n2_1 = n2_1a - n2_1b;
+  const double n2_2a = KSL_MUL(R->m00, R->m11), n2_2b = KSL_MUL(R->m01, R->m10),
+      n2_2 = n2_2a - n2_2b;
+  const double d_a = KSL_MUL(R->m00, n0_0), d_b = KSL_MUL(R->m10, n0_1), d_c = d_a + d_b,
+      d_d = KSL_MUL(R->m20, n0_2), d = d_c + d_d;
   const double size0_0 = fabs(R->m00);
   const double size0_1 = fabs(R->m10);
   const double size0_2 = fabs(R->m20);
@@ -232,14 +241,14 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
   const double size2_0 = fabs(R->m02);
   const double size2_1 = fabs(R->m12);
   const double size2_2 = fabs(R->m22);
-  const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
-      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
-      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
-      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
-      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
-      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
-      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
-  const double least_a = permanent * 8.881784197001252e-16,
+  const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
+      permanent_c = permanent_a + permanent_b, permanent_d = KSL_MUL(size0_0, permanent_c),
+      permanent_e = KSL_MUL(size1_0, size2_2), permanent_f = KSL_MUL(size1_2, size2_0),
+      permanent_g = permanent_e + permanent_f, permanent_h = KSL_MUL(size0_1, permanent_g),
+      permanent_i = permanent_d + permanent_h, permanent_j = KSL_MUL(size1_0, size2_1),
+      permanent_k = KSL_MUL(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
+      permanent_m = KSL_MUL(size0_2, permanent_l), permanent = permanent_i + permanent_m;
+  const double least_a = KSL_MUL(permanent, 8.881784197001252e-16),
       least = least_a + 1.0261342003245941e-289;
   const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
@@ -279,23 +288,24 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = self->m00 * q0_s;
-  const double q0_y_1 = self->m01 * q0_s;
-  const double q0_y_2 = self->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL(self->m00, q0_s);
+  const double q0_y_1 = KSL_MUL(self->m01, q0_s);
+  const double q0_y_2 = KSL_MUL(self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = self->m00 * q0_up;
-  const double q0_enlarged_1 = self->m01 * q0_up;
-  const double q0_enlarged_2 = self->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL(self->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL(self->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL(self->m02, q0_up);
   const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const double q0_0 = q0_quotient_0 * q0_down;
-  const double q0_1 = q0_quotient_1 * q0_down;
-  const double q0_2 = q0_quotient_2 * q0_down;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
+  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
+  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
   const double u1_s_size_0 = fabs(self->m10);
   const double u1_s_size_1 = fabs(self->m11);
   const double u1_s_size_2 = fabs(self->m12);
@@ -304,42 +314,46 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = self->m10 * u1_s;
-  const double u1_y_1 = self->m11 * u1_s;
-  const double u1_y_2 = self->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL(self->m10, u1_s);
+  const double u1_y_1 = KSL_MUL(self->m11, u1_s);
+  const double u1_y_2 = KSL_MUL(self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = self->m10 * u1_up;
-  const double u1_enlarged_1 = self->m11 * u1_up;
-  const double u1_enlarged_2 = self->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL(self->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL(self->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL(self->m12, u1_up);
   const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const double u1_0 = u1_quotient_0 * u1_down;
-  const double u1_1 = u1_quotient_1 * u1_down;
-  const double u1_2 = u1_quotient_2 * u1_down;
-  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
+  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
+  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double along_a = KSL_MUL(q0_0, u1_0), along_b = KSL_MUL(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MUL(q0_2, u1_2), along = along_c + along_d;
+  const double once_0a = KSL_MUL(q0_0, along), once_0 = u1_0 - once_0a;
+  const double once_1a = KSL_MUL(q0_1, along), once_1 = u1_1 - once_1a;
+  const double once_2a = KSL_MUL(q0_2, along), once_2 = u1_2 - once_2a;
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_b = KSL_MUL(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MUL(q0_2, once_2), rest = rest_c + rest_d;
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const double n_a = KSL_MUL(twice_0, twice_0), n_b = KSL_MUL(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(twice_2, twice_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double q1_0 = twice_0 / divisor;
   const double q1_1 = twice_1 / divisor;
   const double q1_2 = twice_2 / divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const double u2_s_size_0 = fabs(self->m20);
   const double u2_s_size_1 = fabs(self->m21);
   const double u2_s_size_2 = fabs(self->m22);
@@ -348,25 +362,26 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = self->m20 * u2_s;
-  const double u2_y_1 = self->m21 * u2_s;
-  const double u2_y_2 = self->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL(self->m20, u2_s);
+  const double u2_y_1 = KSL_MUL(self->m21, u2_s);
+  const double u2_y_2 = KSL_MUL(self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = self->m20 * u2_up;
-  const double u2_enlarged_1 = self->m21 * u2_up;
-  const double u2_enlarged_2 = self->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL(self->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL(self->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL(self->m22, u2_up);
   const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const double u2_0 = u2_quotient_0 * u2_down;
-  const double u2_1 = u2_quotient_1 * u2_down;
-  const double u2_2 = u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
+  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
+  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double side_a = KSL_MUL(normal_0, u2_0), side_b = KSL_MUL(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MUL(normal_2, u2_2), side = side_c + side_d;
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
   const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
@@ -407,23 +422,24 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = R->m00 * q0_s;
-  const double q0_y_1 = R->m01 * q0_s;
-  const double q0_y_2 = R->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL(R->m00, q0_s);
+  const double q0_y_1 = KSL_MUL(R->m01, q0_s);
+  const double q0_y_2 = KSL_MUL(R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = R->m00 * q0_up;
-  const double q0_enlarged_1 = R->m01 * q0_up;
-  const double q0_enlarged_2 = R->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL(R->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL(R->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL(R->m02, q0_up);
   const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const double q0_0 = q0_quotient_0 * q0_down;
-  const double q0_1 = q0_quotient_1 * q0_down;
-  const double q0_2 = q0_quotient_2 * q0_down;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
+  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
+  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
   const double u1_s_size_0 = fabs(R->m10);
   const double u1_s_size_1 = fabs(R->m11);
   const double u1_s_size_2 = fabs(R->m12);
@@ -432,42 +448,46 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = R->m10 * u1_s;
-  const double u1_y_1 = R->m11 * u1_s;
-  const double u1_y_2 = R->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL(R->m10, u1_s);
+  const double u1_y_1 = KSL_MUL(R->m11, u1_s);
+  const double u1_y_2 = KSL_MUL(R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = R->m10 * u1_up;
-  const double u1_enlarged_1 = R->m11 * u1_up;
-  const double u1_enlarged_2 = R->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL(R->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL(R->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL(R->m12, u1_up);
   const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const double u1_0 = u1_quotient_0 * u1_down;
-  const double u1_1 = u1_quotient_1 * u1_down;
-  const double u1_2 = u1_quotient_2 * u1_down;
-  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
+  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
+  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double along_a = KSL_MUL(q0_0, u1_0), along_b = KSL_MUL(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MUL(q0_2, u1_2), along = along_c + along_d;
+  const double once_0a = KSL_MUL(q0_0, along), once_0 = u1_0 - once_0a;
+  const double once_1a = KSL_MUL(q0_1, along), once_1 = u1_1 - once_1a;
+  const double once_2a = KSL_MUL(q0_2, along), once_2 = u1_2 - once_2a;
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_b = KSL_MUL(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MUL(q0_2, once_2), rest = rest_c + rest_d;
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const double n_a = KSL_MUL(twice_0, twice_0), n_b = KSL_MUL(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(twice_2, twice_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double q1_0 = twice_0 / divisor;
   const double q1_1 = twice_1 / divisor;
   const double q1_2 = twice_2 / divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const double u2_s_size_0 = fabs(R->m20);
   const double u2_s_size_1 = fabs(R->m21);
   const double u2_s_size_2 = fabs(R->m22);
@@ -476,25 +496,26 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = R->m20 * u2_s;
-  const double u2_y_1 = R->m21 * u2_s;
-  const double u2_y_2 = R->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL(R->m20, u2_s);
+  const double u2_y_1 = KSL_MUL(R->m21, u2_s);
+  const double u2_y_2 = KSL_MUL(R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = R->m20 * u2_up;
-  const double u2_enlarged_1 = R->m21 * u2_up;
-  const double u2_enlarged_2 = R->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL(R->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL(R->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL(R->m22, u2_up);
   const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const double u2_0 = u2_quotient_0 * u2_down;
-  const double u2_1 = u2_quotient_1 * u2_down;
-  const double u2_2 = u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
+  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
+  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double side_a = KSL_MUL(normal_0, u2_0), side_b = KSL_MUL(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MUL(normal_2, u2_2), side = side_c + side_d;
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
   const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
@@ -529,18 +550,18 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
 static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2]) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = axis->x * versine;
-  const double versine_axis_1 = axis->y * versine;
-  const double versine_axis_2 = axis->z * versine;
-  const double m_0 = axis->x * versine_axis_0;
-  const double m_1 = axis->y * versine_axis_1;
-  const double m_2 = axis->z * versine_axis_2;
-  const double m_3 = axis->y * versine_axis_0;
-  const double m_4 = axis->z * versine_axis_0;
-  const double m_5 = axis->z * versine_axis_1;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+  const double versine_axis_0 = KSL_MUL(axis->x, versine);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, versine_axis_0);
+  const double m_1 = KSL_MUL(axis->y, versine_axis_1);
+  const double m_2 = KSL_MUL(axis->z, versine_axis_2);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = dc[1] + m_0;
   const double R_01 = m_3 - sine_axis_2;
   const double R_02 = m_4 + sine_axis_1;
@@ -571,16 +592,20 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
   const double c_0 = cos(angles->x);
   const double c_1 = cos(angles->y);
   const double c_2 = cos(angles->z);
-  const double first_0 = c_1 * c_2;
-  const double first_1a = s_2 * c_1, first_1 = -first_1a;
-  const double first_6a = s_1 * c_2, first_6 = -first_6a;
-  const double first_7 = s_1 * s_2;
-  const double last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
-  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
-  const double last_5a = s_0 * c_1, last_5 = -last_5a;
-  const double last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
-  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
-  const double last_8 = c_0 * c_1;
+  const double first_0 = KSL_MUL(c_1, c_2);
+  const double first_1a = KSL_MUL(s_2, c_1), first_1 = -first_1a;
+  const double first_6a = KSL_MUL(s_1, c_2), first_6 = -first_6a;
+  const double first_7 = KSL_MUL(s_1, s_2);
+  const double last_3a = KSL_MUL(s_2, c_0), last_3b = KSL_MUL(s_0, first_6),
+      last_3 = last_3a - last_3b;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4b = KSL_MUL(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const double last_5a = KSL_MUL(s_0, c_1), last_5 = -last_5a;
+  const double last_6a = KSL_MUL(s_0, s_2), last_6b = KSL_MUL(c_0, first_6),
+      last_6 = last_6a + last_6b;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7b = KSL_MUL(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const double last_8 = KSL_MUL(c_0, c_1);
   R->m00 = first_0;
   R->m01 = first_1;
   R->m02 = s_1;
@@ -599,14 +624,17 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
-  const double n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
+      n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -R->m01, sine = sine_a / divisor;
   const double polar = atan2(sine_a, R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
-  const double left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const double left_1a = KSL_MUL(R->m10, sine), left_1b = KSL_MUL(R->m11, cosine),
+      left_1 = left_1a + left_1b;
+  const double left_2a = KSL_MUL(R->m20, sine), left_2b = KSL_MUL(R->m21, cosine),
+      left_2 = left_2a + left_2b;
   const double angles_0 = atan2(left_2, left_1);
   const double angles_1 = atan2(R->m02, n);
   angles->x = angles_0;
@@ -624,17 +652,20 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
   const double c_0 = cos(angles->x);
   const double c_1 = cos(angles->y);
   const double c_2 = cos(angles->z);
-  const double first_1 = s_1 * s_2;
-  const double first_2 = s_1 * c_2;
-  const double first_7 = s_2 * c_1;
-  const double first_8 = c_1 * c_2;
-  const double last_3 = s_0 * s_1;
-  const double last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
-  const double last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
-      last_5 = -last_5c;
-  const double last_6a = s_1 * c_0, last_6 = -last_6a;
-  const double last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
-  const double last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  const double first_1 = KSL_MUL(s_1, s_2);
+  const double first_2 = KSL_MUL(s_1, c_2);
+  const double first_7 = KSL_MUL(s_2, c_1);
+  const double first_8 = KSL_MUL(c_1, c_2);
+  const double last_3 = KSL_MUL(s_0, s_1);
+  const double last_4a = KSL_MUL(c_0, c_2), last_4b = KSL_MUL(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const double last_5a = KSL_MUL(s_0, first_8), last_5b = KSL_MUL(s_2, c_0),
+      last_5c = last_5a + last_5b, last_5 = -last_5c;
+  const double last_6a = KSL_MUL(s_1, c_0), last_6 = -last_6a;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7b = KSL_MUL(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const double last_8a = KSL_MUL(c_0, first_8), last_8b = KSL_MUL(s_0, s_2),
+      last_8 = last_8a - last_8b;
   R->m00 = c_1;
   R->m01 = first_1;
   R->m02 = first_2;
@@ -653,14 +684,17 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
-  const double n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
+      n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = R->m01 / divisor;
   const double polar = atan2(R->m01, R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
-  const double left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const double left_1a = KSL_MUL(R->m11, cosine), left_1b = KSL_MUL(R->m12, sine),
+      left_1 = left_1a - left_1b;
+  const double left_2a = KSL_MUL(R->m21, cosine), left_2b = KSL_MUL(R->m22, sine),
+      left_2 = left_2a - left_2b;
   const double angles_0 = atan2(left_2, left_1);
   const double angles_1 = atan2(n, R->m00);
   angles->x = angles_0;
@@ -675,27 +709,27 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
-  const double twice = 2.0 * A->m10;
+  const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00;
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
   const double magnitude = fabs(theta);
-  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+  const double size_a = KSL_MUL(theta, theta), size_b = 1.0 + size_a, size_c = sqrt(size_b),
       size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
-  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double secant_a = KSL_MUL(t, t), secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
   const double c = 1.0 / secant;
-  const double s = t * c;
-  const double change = A->m10 * t;
-  const double zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
-  const double zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
-  const double vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
-  const double vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
-  const double vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
-  const double vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
-  const double vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
-  const double vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double s = KSL_MUL(t, c);
+  const double change = KSL_MUL(A->m10, t);
+  const double zp_a = KSL_MUL(A->m20, c), zp_b = KSL_MUL(A->m21, s), zp = zp_a - zp_b;
+  const double zq_a = KSL_MUL(A->m20, s), zq_b = KSL_MUL(A->m21, c), zq = zq_a + zq_b;
+  const double vp_0a = KSL_MUL(V->m00, c), vp_0b = KSL_MUL(V->m01, s), vp_0 = vp_0a - vp_0b;
+  const double vp_1a = KSL_MUL(V->m10, c), vp_1b = KSL_MUL(V->m11, s), vp_1 = vp_1a - vp_1b;
+  const double vp_2a = KSL_MUL(V->m20, c), vp_2b = KSL_MUL(V->m21, s), vp_2 = vp_2a - vp_2b;
+  const double vq_0a = KSL_MUL(V->m00, s), vq_0b = KSL_MUL(V->m01, c), vq_0 = vq_0a + vq_0b;
+  const double vq_1a = KSL_MUL(V->m10, s), vq_1b = KSL_MUL(V->m11, c), vq_1 = vq_1a + vq_1b;
+  const double vq_2a = KSL_MUL(V->m20, s), vq_2b = KSL_MUL(V->m21, c), vq_2 = vq_2a + vq_2b;
   const double A_00_new = A->m11 + change;
   const double A_22_new = A->m00 - change;
   const double A_m22 = A->m22;
@@ -725,30 +759,30 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
-  const double half = 0.5 * angle;
+  const double half = KSL_MUL(0.5, angle);
   const double h = sin(half);
   const double cosine = cos(angle);
-  const double versine_a = h * h, versine_b = 2.0 * versine_a, versine_c = 1.0 - cosine,
-      versine = cosine < 0.0 ? versine_c : versine_b;
+  const double versine_a = KSL_MUL(h, h), versine_b = KSL_MUL(2.0, versine_a),
+      versine_c = 1.0 - cosine, versine = cosine < 0.0 ? versine_c : versine_b;
   const double sine = sin(angle);
-  const double beta_v_0 = axis->x * versine;
-  const double beta_v_1 = axis->y * versine;
-  const double beta_v_2 = axis->z * versine;
-  const double m_0 = axis->x * beta_v_0;
-  const double m_1 = axis->y * beta_v_1;
-  const double m_2 = axis->z * beta_v_2;
-  const double m_3 = axis->y * beta_v_0;
-  const double m_4 = axis->z * beta_v_0;
-  const double m_5 = axis->z * beta_v_1;
+  const double beta_v_0 = KSL_MUL(axis->x, versine);
+  const double beta_v_1 = KSL_MUL(axis->y, versine);
+  const double beta_v_2 = KSL_MUL(axis->z, versine);
+  const double m_0 = KSL_MUL(axis->x, beta_v_0);
+  const double m_1 = KSL_MUL(axis->y, beta_v_1);
+  const double m_2 = KSL_MUL(axis->z, beta_v_2);
+  const double m_3 = KSL_MUL(axis->y, beta_v_0);
+  const double m_4 = KSL_MUL(axis->z, beta_v_0);
+  const double m_5 = KSL_MUL(axis->z, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
-  const double alpha_v_0 = axis->x * sine;
-  const double alpha_v_1 = axis->y * sine;
-  const double alpha_v_2 = axis->z * sine;
+  const double alpha_v_0 = KSL_MUL(axis->x, sine);
+  const double alpha_v_1 = KSL_MUL(axis->y, sine);
+  const double alpha_v_2 = KSL_MUL(axis->z, sine);
   const double R_00 = 1.0 - others_0;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
@@ -813,21 +847,21 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -1022,11 +1056,11 @@ static inline void ksl_mat3x3f_transposed(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b;
-  const float n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b;
-  const float n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b;
-  const float det_a = R->m00 * n_0, det_b = R->m10 * n_1, det_c = det_a + det_b,
-      det_d = R->m20 * n_2, det = det_c + det_d;
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0b = KSL_MULF(R->m12, R->m21), n_0 = n_0a - n_0b;
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
+  const float det_a = KSL_MULF(R->m00, n_0), det_b = KSL_MULF(R->m10, n_1), det_c = det_a + det_b,
+      det_d = KSL_MULF(R->m20, n_2), det = det_c + det_d;
   return det;
 }
 
@@ -1037,17 +1071,26 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
 static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b;
-  const float n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b;
-  const float n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b;
-  const float n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b;
-  const float n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b;
-  const float n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b;
-  const float n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b;
-  const float n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b;
-  const float n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b;
-  const float d_a = R->m00 * n0_0, d_b = R->m10 * n0_1, d_c = d_a + d_b, d_d = R->m20 * n0_2,
-      d = d_c + d_d;
+  const float n0_0a = KSL_MULF(R->m11, R->m22), n0_0b = KSL_MULF(R->m12, R->m21),
+      n0_0 = n0_0a - n0_0b;
+  const float n0_1a = KSL_MULF(R->m02, R->m21), n0_1b = KSL_MULF(R->m01, R->m22),
+      n0_1 = n0_1a - n0_1b;
+  const float n0_2a = KSL_MULF(R->m01, R->m12), n0_2b = KSL_MULF(R->m02, R->m11),
+      n0_2 = n0_2a - n0_2b;
+  const float n1_0a = KSL_MULF(R->m12, R->m20), n1_0b = KSL_MULF(R->m10, R->m22),
+      n1_0 = n1_0a - n1_0b;
+  const float n1_1a = KSL_MULF(R->m00, R->m22), n1_1b = KSL_MULF(R->m02, R->m20),
+      n1_1 = n1_1a - n1_1b;
+  const float n1_2a = KSL_MULF(R->m02, R->m10), n1_2b = KSL_MULF(R->m00, R->m12),
+      n1_2 = n1_2a - n1_2b;
+  const float n2_0a = KSL_MULF(R->m10, R->m21), n2_0b = KSL_MULF(R->m11, R->m20),
+      n2_0 = n2_0a - n2_0b;
+  const float n2_1a = KSL_MULF(R->m01, R->m20), n2_1b = KSL_MULF(R->m00, R->m21),
+      n2_1 = n2_1a - n2_1b;
+  const float n2_2a = KSL_MULF(R->m00, R->m11), n2_2b = KSL_MULF(R->m01, R->m10),
+      n2_2 = n2_2a - n2_2b;
+  const float d_a = KSL_MULF(R->m00, n0_0), d_b = KSL_MULF(R->m10, n0_1), d_c = d_a + d_b,
+      d_d = KSL_MULF(R->m20, n0_2), d = d_c + d_d;
   const float size0_0 = fabsf(R->m00);
   const float size0_1 = fabsf(R->m10);
   const float size0_2 = fabsf(R->m20);
@@ -1057,14 +1100,14 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
   const float size2_0 = fabsf(R->m02);
   const float size2_1 = fabsf(R->m12);
   const float size2_2 = fabsf(R->m22);
-  const float permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
-      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
-      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
-      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
-      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
-      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
-      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
-  const float least_a = permanent * 4.7683716e-07f, least = least_a + 1.2621775e-29f;
+  const float permanent_a = KSL_MULF(size1_1, size2_2), permanent_b = KSL_MULF(size1_2, size2_1),
+      permanent_c = permanent_a + permanent_b, permanent_d = KSL_MULF(size0_0, permanent_c),
+      permanent_e = KSL_MULF(size1_0, size2_2), permanent_f = KSL_MULF(size1_2, size2_0),
+      permanent_g = permanent_e + permanent_f, permanent_h = KSL_MULF(size0_1, permanent_g),
+      permanent_i = permanent_d + permanent_h, permanent_j = KSL_MULF(size1_0, size2_1),
+      permanent_k = KSL_MULF(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
+      permanent_m = KSL_MULF(size0_2, permanent_l), permanent = permanent_i + permanent_m;
+  const float least_a = KSL_MULF(permanent, 4.7683716e-07f), least = least_a + 1.2621775e-29f;
   const float regular_a = fabsf(d), regular = least < regular_a ? 1.0f : 0.0f;
   const float divisor = regular == 1.0f ? d : 1.0f;
   const float det = regular == 1.0f ? d : 0.0f;
@@ -1103,23 +1146,24 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
       q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
-  const float q0_y_0 = self->m00 * q0_s;
-  const float q0_y_1 = self->m01 * q0_s;
-  const float q0_y_2 = self->m02 * q0_s;
+  const float q0_y_0 = KSL_MULF(self->m00, q0_s);
+  const float q0_y_1 = KSL_MULF(self->m01, q0_s);
+  const float q0_y_2 = KSL_MULF(self->m02, q0_s);
   const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
   const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
-  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_n_a = KSL_MULF(q0_y_0, q0_y_0), q0_n_b = KSL_MULF(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = self->m00 * q0_up;
-  const float q0_enlarged_1 = self->m01 * q0_up;
-  const float q0_enlarged_2 = self->m02 * q0_up;
+  const float q0_enlarged_0 = KSL_MULF(self->m00, q0_up);
+  const float q0_enlarged_1 = KSL_MULF(self->m01, q0_up);
+  const float q0_enlarged_2 = KSL_MULF(self->m02, q0_up);
   const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const float q0_0 = q0_quotient_0 * q0_down;
-  const float q0_1 = q0_quotient_1 * q0_down;
-  const float q0_2 = q0_quotient_2 * q0_down;
+  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
+  const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
+  const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
   const float u1_s_size_0 = fabsf(self->m10);
   const float u1_s_size_1 = fabsf(self->m11);
   const float u1_s_size_2 = fabsf(self->m12);
@@ -1128,42 +1172,46 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
       u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
-  const float u1_y_0 = self->m10 * u1_s;
-  const float u1_y_1 = self->m11 * u1_s;
-  const float u1_y_2 = self->m12 * u1_s;
+  const float u1_y_0 = KSL_MULF(self->m10, u1_s);
+  const float u1_y_1 = KSL_MULF(self->m11, u1_s);
+  const float u1_y_2 = KSL_MULF(self->m12, u1_s);
   const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
   const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
-  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_n_a = KSL_MULF(u1_y_0, u1_y_0), u1_n_b = KSL_MULF(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = self->m10 * u1_up;
-  const float u1_enlarged_1 = self->m11 * u1_up;
-  const float u1_enlarged_2 = self->m12 * u1_up;
+  const float u1_enlarged_0 = KSL_MULF(self->m10, u1_up);
+  const float u1_enlarged_1 = KSL_MULF(self->m11, u1_up);
+  const float u1_enlarged_2 = KSL_MULF(self->m12, u1_up);
   const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const float u1_0 = u1_quotient_0 * u1_down;
-  const float u1_1 = u1_quotient_1 * u1_down;
-  const float u1_2 = u1_quotient_2 * u1_down;
-  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
+  const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
+  const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
+  const float along_a = KSL_MULF(q0_0, u1_0), along_b = KSL_MULF(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MULF(q0_2, u1_2), along = along_c + along_d;
+  const float once_0a = KSL_MULF(q0_0, along), once_0 = u1_0 - once_0a;
+  const float once_1a = KSL_MULF(q0_1, along), once_1 = u1_1 - once_1a;
+  const float once_2a = KSL_MULF(q0_2, along), once_2 = u1_2 - once_2a;
+  const float rest_a = KSL_MULF(q0_0, once_0), rest_b = KSL_MULF(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MULF(q0_2, once_2), rest = rest_c + rest_d;
+  const float twice_0a = KSL_MULF(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const float twice_1a = KSL_MULF(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const float twice_2a = KSL_MULF(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const float n_a = KSL_MULF(twice_0, twice_0), n_b = KSL_MULF(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(twice_2, twice_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float q1_0 = twice_0 / divisor;
   const float q1_1 = twice_1 / divisor;
   const float q1_2 = twice_2 / divisor;
-  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float normal_0a = KSL_MULF(q0_1, q1_2), normal_0b = KSL_MULF(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const float normal_1a = KSL_MULF(q0_2, q1_0), normal_1b = KSL_MULF(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const float normal_2a = KSL_MULF(q0_0, q1_1), normal_2b = KSL_MULF(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const float u2_s_size_0 = fabsf(self->m20);
   const float u2_s_size_1 = fabsf(self->m21);
   const float u2_s_size_2 = fabsf(self->m22);
@@ -1172,25 +1220,26 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
       u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
-  const float u2_y_0 = self->m20 * u2_s;
-  const float u2_y_1 = self->m21 * u2_s;
-  const float u2_y_2 = self->m22 * u2_s;
+  const float u2_y_0 = KSL_MULF(self->m20, u2_s);
+  const float u2_y_1 = KSL_MULF(self->m21, u2_s);
+  const float u2_y_2 = KSL_MULF(self->m22, u2_s);
   const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
   const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
-  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_n_a = KSL_MULF(u2_y_0, u2_y_0), u2_n_b = KSL_MULF(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = self->m20 * u2_up;
-  const float u2_enlarged_1 = self->m21 * u2_up;
-  const float u2_enlarged_2 = self->m22 * u2_up;
+  const float u2_enlarged_0 = KSL_MULF(self->m20, u2_up);
+  const float u2_enlarged_1 = KSL_MULF(self->m21, u2_up);
+  const float u2_enlarged_2 = KSL_MULF(self->m22, u2_up);
   const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const float u2_0 = u2_quotient_0 * u2_down;
-  const float u2_1 = u2_quotient_1 * u2_down;
-  const float u2_2 = u2_quotient_2 * u2_down;
-  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
+  const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
+  const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
+  const float side_a = KSL_MULF(normal_0, u2_0), side_b = KSL_MULF(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MULF(normal_2, u2_2), side = side_c + side_d;
   const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
   const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
   const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
@@ -1231,23 +1280,24 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float q0_s_b = 4.611686e+18f < q0_s_largest2 ? 2.7105054e-20f : 1.0f,
       q0_s_d = q0_s_largest2 < 256.0f ? 1.8014399e+16f : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : q0_s_d;
-  const float q0_y_0 = R->m00 * q0_s;
-  const float q0_y_1 = R->m01 * q0_s;
-  const float q0_y_2 = R->m02 * q0_s;
+  const float q0_y_0 = KSL_MULF(R->m00, q0_s);
+  const float q0_y_1 = KSL_MULF(R->m01, q0_s);
+  const float q0_y_2 = KSL_MULF(R->m02, q0_s);
   const float q0_up = 1.0f < q0_s ? q0_s : 1.0f;
   const float q0_down = q0_s < 1.0f ? q0_s : 1.0f;
-  const float q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrtf(q0_n_e);
+  const float q0_n_a = KSL_MULF(q0_y_0, q0_y_0), q0_n_b = KSL_MULF(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = R->m00 * q0_up;
-  const float q0_enlarged_1 = R->m01 * q0_up;
-  const float q0_enlarged_2 = R->m02 * q0_up;
+  const float q0_enlarged_0 = KSL_MULF(R->m00, q0_up);
+  const float q0_enlarged_1 = KSL_MULF(R->m01, q0_up);
+  const float q0_enlarged_2 = KSL_MULF(R->m02, q0_up);
   const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const float q0_0 = q0_quotient_0 * q0_down;
-  const float q0_1 = q0_quotient_1 * q0_down;
-  const float q0_2 = q0_quotient_2 * q0_down;
+  const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
+  const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
+  const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
   const float u1_s_size_0 = fabsf(R->m10);
   const float u1_s_size_1 = fabsf(R->m11);
   const float u1_s_size_2 = fabsf(R->m12);
@@ -1256,42 +1306,46 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float u1_s_b = 4.611686e+18f < u1_s_largest2 ? 2.7105054e-20f : 1.0f,
       u1_s_d = u1_s_largest2 < 256.0f ? 1.8014399e+16f : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u1_s_d;
-  const float u1_y_0 = R->m10 * u1_s;
-  const float u1_y_1 = R->m11 * u1_s;
-  const float u1_y_2 = R->m12 * u1_s;
+  const float u1_y_0 = KSL_MULF(R->m10, u1_s);
+  const float u1_y_1 = KSL_MULF(R->m11, u1_s);
+  const float u1_y_2 = KSL_MULF(R->m12, u1_s);
   const float u1_up = 1.0f < u1_s ? u1_s : 1.0f;
   const float u1_down = u1_s < 1.0f ? u1_s : 1.0f;
-  const float u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrtf(u1_n_e);
+  const float u1_n_a = KSL_MULF(u1_y_0, u1_y_0), u1_n_b = KSL_MULF(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = R->m10 * u1_up;
-  const float u1_enlarged_1 = R->m11 * u1_up;
-  const float u1_enlarged_2 = R->m12 * u1_up;
+  const float u1_enlarged_0 = KSL_MULF(R->m10, u1_up);
+  const float u1_enlarged_1 = KSL_MULF(R->m11, u1_up);
+  const float u1_enlarged_2 = KSL_MULF(R->m12, u1_up);
   const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const float u1_0 = u1_quotient_0 * u1_down;
-  const float u1_1 = u1_quotient_1 * u1_down;
-  const float u1_2 = u1_quotient_2 * u1_down;
-  const float along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const float once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const float once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const float once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const float rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const float twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const float twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const float twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const float n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrtf(n_e);
+  const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
+  const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
+  const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
+  const float along_a = KSL_MULF(q0_0, u1_0), along_b = KSL_MULF(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MULF(q0_2, u1_2), along = along_c + along_d;
+  const float once_0a = KSL_MULF(q0_0, along), once_0 = u1_0 - once_0a;
+  const float once_1a = KSL_MULF(q0_1, along), once_1 = u1_1 - once_1a;
+  const float once_2a = KSL_MULF(q0_2, along), once_2 = u1_2 - once_2a;
+  const float rest_a = KSL_MULF(q0_0, once_0), rest_b = KSL_MULF(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MULF(q0_2, once_2), rest = rest_c + rest_d;
+  const float twice_0a = KSL_MULF(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const float twice_1a = KSL_MULF(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const float twice_2a = KSL_MULF(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const float n_a = KSL_MULF(twice_0, twice_0), n_b = KSL_MULF(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(twice_2, twice_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float q1_0 = twice_0 / divisor;
   const float q1_1 = twice_1 / divisor;
   const float q1_2 = twice_2 / divisor;
-  const float normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const float normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const float normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const float normal_0a = KSL_MULF(q0_1, q1_2), normal_0b = KSL_MULF(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const float normal_1a = KSL_MULF(q0_2, q1_0), normal_1b = KSL_MULF(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const float normal_2a = KSL_MULF(q0_0, q1_1), normal_2b = KSL_MULF(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const float u2_s_size_0 = fabsf(R->m20);
   const float u2_s_size_1 = fabsf(R->m21);
   const float u2_s_size_2 = fabsf(R->m22);
@@ -1300,25 +1354,26 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   const float u2_s_b = 4.611686e+18f < u2_s_largest2 ? 2.7105054e-20f : 1.0f,
       u2_s_d = u2_s_largest2 < 256.0f ? 1.8014399e+16f : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : u2_s_d;
-  const float u2_y_0 = R->m20 * u2_s;
-  const float u2_y_1 = R->m21 * u2_s;
-  const float u2_y_2 = R->m22 * u2_s;
+  const float u2_y_0 = KSL_MULF(R->m20, u2_s);
+  const float u2_y_1 = KSL_MULF(R->m21, u2_s);
+  const float u2_y_2 = KSL_MULF(R->m22, u2_s);
   const float u2_up = 1.0f < u2_s ? u2_s : 1.0f;
   const float u2_down = u2_s < 1.0f ? u2_s : 1.0f;
-  const float u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrtf(u2_n_e);
+  const float u2_n_a = KSL_MULF(u2_y_0, u2_y_0), u2_n_b = KSL_MULF(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = R->m20 * u2_up;
-  const float u2_enlarged_1 = R->m21 * u2_up;
-  const float u2_enlarged_2 = R->m22 * u2_up;
+  const float u2_enlarged_0 = KSL_MULF(R->m20, u2_up);
+  const float u2_enlarged_1 = KSL_MULF(R->m21, u2_up);
+  const float u2_enlarged_2 = KSL_MULF(R->m22, u2_up);
   const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const float u2_0 = u2_quotient_0 * u2_down;
-  const float u2_1 = u2_quotient_1 * u2_down;
-  const float u2_2 = u2_quotient_2 * u2_down;
-  const float side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
+  const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
+  const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
+  const float side_a = KSL_MULF(normal_0, u2_0), side_b = KSL_MULF(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MULF(normal_2, u2_2), side = side_c + side_d;
   const float q2_0a = -normal_0, q2_0 = side < 0.0f ? q2_0a : normal_0;
   const float q2_1a = -normal_1, q2_1 = side < 0.0f ? q2_1a : normal_1;
   const float q2_2a = -normal_2, q2_2 = side < 0.0f ? q2_2a : normal_2;
@@ -1353,18 +1408,18 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
 static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = axis->x * versine;
-  const float versine_axis_1 = axis->y * versine;
-  const float versine_axis_2 = axis->z * versine;
-  const float m_0 = axis->x * versine_axis_0;
-  const float m_1 = axis->y * versine_axis_1;
-  const float m_2 = axis->z * versine_axis_2;
-  const float m_3 = axis->y * versine_axis_0;
-  const float m_4 = axis->z * versine_axis_0;
-  const float m_5 = axis->z * versine_axis_1;
-  const float sine_axis_0 = axis->x * dc[0];
-  const float sine_axis_1 = axis->y * dc[0];
-  const float sine_axis_2 = axis->z * dc[0];
+  const float versine_axis_0 = KSL_MULF(axis->x, versine);
+  const float versine_axis_1 = KSL_MULF(axis->y, versine);
+  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, versine_axis_0);
+  const float m_1 = KSL_MULF(axis->y, versine_axis_1);
+  const float m_2 = KSL_MULF(axis->z, versine_axis_2);
+  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
+  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
+  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
+  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
+  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
   const float R_00 = dc[1] + m_0;
   const float R_01 = m_3 - sine_axis_2;
   const float R_02 = m_4 + sine_axis_1;
@@ -1395,16 +1450,20 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
   const float c_0 = cosf(angles->x);
   const float c_1 = cosf(angles->y);
   const float c_2 = cosf(angles->z);
-  const float first_0 = c_1 * c_2;
-  const float first_1a = s_2 * c_1, first_1 = -first_1a;
-  const float first_6a = s_1 * c_2, first_6 = -first_6a;
-  const float first_7 = s_1 * s_2;
-  const float last_3a = s_2 * c_0, last_3b = s_0 * first_6, last_3 = last_3a - last_3b;
-  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
-  const float last_5a = s_0 * c_1, last_5 = -last_5a;
-  const float last_6a = s_0 * s_2, last_6b = c_0 * first_6, last_6 = last_6a + last_6b;
-  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
-  const float last_8 = c_0 * c_1;
+  const float first_0 = KSL_MULF(c_1, c_2);
+  const float first_1a = KSL_MULF(s_2, c_1), first_1 = -first_1a;
+  const float first_6a = KSL_MULF(s_1, c_2), first_6 = -first_6a;
+  const float first_7 = KSL_MULF(s_1, s_2);
+  const float last_3a = KSL_MULF(s_2, c_0), last_3b = KSL_MULF(s_0, first_6),
+      last_3 = last_3a - last_3b;
+  const float last_4a = KSL_MULF(c_0, c_2), last_4b = KSL_MULF(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const float last_5a = KSL_MULF(s_0, c_1), last_5 = -last_5a;
+  const float last_6a = KSL_MULF(s_0, s_2), last_6b = KSL_MULF(c_0, first_6),
+      last_6 = last_6a + last_6b;
+  const float last_7a = KSL_MULF(s_0, c_2), last_7b = KSL_MULF(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const float last_8 = KSL_MULF(c_0, c_1);
   R->m00 = first_0;
   R->m01 = first_1;
   R->m02 = s_1;
@@ -1423,14 +1482,17 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
-  const float n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float n_a = KSL_MULF(R->m00, R->m00), n_b = KSL_MULF(R->m01, R->m01), n_c = n_a + n_b,
+      n = sqrtf(n_c);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float cosine_a = R->m00 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
   const float sine_a = -R->m01, sine = sine_a / divisor;
   const float polar = atan2f(sine_a, R->m00);
   const float third = n == 0.0f ? 0.0f : polar;
-  const float left_1a = R->m10 * sine, left_1b = R->m11 * cosine, left_1 = left_1a + left_1b;
-  const float left_2a = R->m20 * sine, left_2b = R->m21 * cosine, left_2 = left_2a + left_2b;
+  const float left_1a = KSL_MULF(R->m10, sine), left_1b = KSL_MULF(R->m11, cosine),
+      left_1 = left_1a + left_1b;
+  const float left_2a = KSL_MULF(R->m20, sine), left_2b = KSL_MULF(R->m21, cosine),
+      left_2 = left_2a + left_2b;
   const float angles_0 = atan2f(left_2, left_1);
   const float angles_1 = atan2f(R->m02, n);
   angles->x = angles_0;
@@ -1448,17 +1510,20 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
   const float c_0 = cosf(angles->x);
   const float c_1 = cosf(angles->y);
   const float c_2 = cosf(angles->z);
-  const float first_1 = s_1 * s_2;
-  const float first_2 = s_1 * c_2;
-  const float first_7 = s_2 * c_1;
-  const float first_8 = c_1 * c_2;
-  const float last_3 = s_0 * s_1;
-  const float last_4a = c_0 * c_2, last_4b = s_0 * first_7, last_4 = last_4a - last_4b;
-  const float last_5a = s_0 * first_8, last_5b = s_2 * c_0, last_5c = last_5a + last_5b,
-      last_5 = -last_5c;
-  const float last_6a = s_1 * c_0, last_6 = -last_6a;
-  const float last_7a = s_0 * c_2, last_7b = c_0 * first_7, last_7 = last_7a + last_7b;
-  const float last_8a = c_0 * first_8, last_8b = s_0 * s_2, last_8 = last_8a - last_8b;
+  const float first_1 = KSL_MULF(s_1, s_2);
+  const float first_2 = KSL_MULF(s_1, c_2);
+  const float first_7 = KSL_MULF(s_2, c_1);
+  const float first_8 = KSL_MULF(c_1, c_2);
+  const float last_3 = KSL_MULF(s_0, s_1);
+  const float last_4a = KSL_MULF(c_0, c_2), last_4b = KSL_MULF(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const float last_5a = KSL_MULF(s_0, first_8), last_5b = KSL_MULF(s_2, c_0),
+      last_5c = last_5a + last_5b, last_5 = -last_5c;
+  const float last_6a = KSL_MULF(s_1, c_0), last_6 = -last_6a;
+  const float last_7a = KSL_MULF(s_0, c_2), last_7b = KSL_MULF(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const float last_8a = KSL_MULF(c_0, first_8), last_8b = KSL_MULF(s_0, s_2),
+      last_8 = last_8a - last_8b;
   R->m00 = c_1;
   R->m01 = first_1;
   R->m02 = first_2;
@@ -1477,14 +1542,17 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
-  const float n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n = sqrtf(n_c);
+  const float n_a = KSL_MULF(R->m01, R->m01), n_b = KSL_MULF(R->m02, R->m02), n_c = n_a + n_b,
+      n = sqrtf(n_c);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float cosine_a = R->m02 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
   const float sine = R->m01 / divisor;
   const float polar = atan2f(R->m01, R->m02);
   const float third = n == 0.0f ? 0.0f : polar;
-  const float left_1a = R->m11 * cosine, left_1b = R->m12 * sine, left_1 = left_1a - left_1b;
-  const float left_2a = R->m21 * cosine, left_2b = R->m22 * sine, left_2 = left_2a - left_2b;
+  const float left_1a = KSL_MULF(R->m11, cosine), left_1b = KSL_MULF(R->m12, sine),
+      left_1 = left_1a - left_1b;
+  const float left_2a = KSL_MULF(R->m21, cosine), left_2b = KSL_MULF(R->m22, sine),
+      left_2 = left_2a - left_2b;
   const float angles_0 = atan2f(left_2, left_1);
   const float angles_1 = atan2f(n, R->m00);
   angles->x = angles_0;
@@ -1499,27 +1567,27 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
-  const float twice = 2.0f * A->m10;
+  const float twice = KSL_MULF(2.0f, A->m10);
   const float apart = A->m11 - A->m00;
   const float divisor = twice == 0.0f ? 1.0f : twice;
   const float theta = apart / divisor;
   const float magnitude = fabsf(theta);
-  const float size_a = theta * theta, size_b = 1.0f + size_a, size_c = sqrtf(size_b),
+  const float size_a = KSL_MULF(theta, theta), size_b = 1.0f + size_a, size_c = sqrtf(size_b),
       size = magnitude + size_c;
   const float along_a = -size, along = theta < 0.0f ? along_a : size;
   const float t_a = 1.0f / along, t = twice == 0.0f ? 0.0f : t_a;
-  const float secant_a = t * t, secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
+  const float secant_a = KSL_MULF(t, t), secant_b = 1.0f + secant_a, secant = sqrtf(secant_b);
   const float c = 1.0f / secant;
-  const float s = t * c;
-  const float change = A->m10 * t;
-  const float zp_a = A->m20 * c, zp_b = A->m21 * s, zp = zp_a - zp_b;
-  const float zq_a = A->m20 * s, zq_b = A->m21 * c, zq = zq_a + zq_b;
-  const float vp_0a = V->m00 * c, vp_0b = V->m01 * s, vp_0 = vp_0a - vp_0b;
-  const float vp_1a = V->m10 * c, vp_1b = V->m11 * s, vp_1 = vp_1a - vp_1b;
-  const float vp_2a = V->m20 * c, vp_2b = V->m21 * s, vp_2 = vp_2a - vp_2b;
-  const float vq_0a = V->m00 * s, vq_0b = V->m01 * c, vq_0 = vq_0a + vq_0b;
-  const float vq_1a = V->m10 * s, vq_1b = V->m11 * c, vq_1 = vq_1a + vq_1b;
-  const float vq_2a = V->m20 * s, vq_2b = V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const float s = KSL_MULF(t, c);
+  const float change = KSL_MULF(A->m10, t);
+  const float zp_a = KSL_MULF(A->m20, c), zp_b = KSL_MULF(A->m21, s), zp = zp_a - zp_b;
+  const float zq_a = KSL_MULF(A->m20, s), zq_b = KSL_MULF(A->m21, c), zq = zq_a + zq_b;
+  const float vp_0a = KSL_MULF(V->m00, c), vp_0b = KSL_MULF(V->m01, s), vp_0 = vp_0a - vp_0b;
+  const float vp_1a = KSL_MULF(V->m10, c), vp_1b = KSL_MULF(V->m11, s), vp_1 = vp_1a - vp_1b;
+  const float vp_2a = KSL_MULF(V->m20, c), vp_2b = KSL_MULF(V->m21, s), vp_2 = vp_2a - vp_2b;
+  const float vq_0a = KSL_MULF(V->m00, s), vq_0b = KSL_MULF(V->m01, c), vq_0 = vq_0a + vq_0b;
+  const float vq_1a = KSL_MULF(V->m10, s), vq_1b = KSL_MULF(V->m11, c), vq_1 = vq_1a + vq_1b;
+  const float vq_2a = KSL_MULF(V->m20, s), vq_2b = KSL_MULF(V->m21, c), vq_2 = vq_2a + vq_2b;
   const float A_00_new = A->m11 + change;
   const float A_22_new = A->m00 - change;
   const float A_m22 = A->m22;
@@ -1549,30 +1617,30 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
-  const float half = 0.5f * angle;
+  const float half = KSL_MULF(0.5f, angle);
   const float h = sinf(half);
   const float cosine = cosf(angle);
-  const float versine_a = h * h, versine_b = 2.0f * versine_a, versine_c = 1.0f - cosine,
-      versine = cosine < 0.0f ? versine_c : versine_b;
+  const float versine_a = KSL_MULF(h, h), versine_b = KSL_MULF(2.0f, versine_a),
+      versine_c = 1.0f - cosine, versine = cosine < 0.0f ? versine_c : versine_b;
   const float sine = sinf(angle);
-  const float beta_v_0 = axis->x * versine;
-  const float beta_v_1 = axis->y * versine;
-  const float beta_v_2 = axis->z * versine;
-  const float m_0 = axis->x * beta_v_0;
-  const float m_1 = axis->y * beta_v_1;
-  const float m_2 = axis->z * beta_v_2;
-  const float m_3 = axis->y * beta_v_0;
-  const float m_4 = axis->z * beta_v_0;
-  const float m_5 = axis->z * beta_v_1;
+  const float beta_v_0 = KSL_MULF(axis->x, versine);
+  const float beta_v_1 = KSL_MULF(axis->y, versine);
+  const float beta_v_2 = KSL_MULF(axis->z, versine);
+  const float m_0 = KSL_MULF(axis->x, beta_v_0);
+  const float m_1 = KSL_MULF(axis->y, beta_v_1);
+  const float m_2 = KSL_MULF(axis->z, beta_v_2);
+  const float m_3 = KSL_MULF(axis->y, beta_v_0);
+  const float m_4 = KSL_MULF(axis->z, beta_v_0);
+  const float m_5 = KSL_MULF(axis->z, beta_v_1);
   const float others_0 = m_1 + m_2;
   const float others_1 = m_0 + m_2;
   const float others_2 = m_0 + m_1;
-  const float alpha_v_0 = axis->x * sine;
-  const float alpha_v_1 = axis->y * sine;
-  const float alpha_v_2 = axis->z * sine;
+  const float alpha_v_0 = KSL_MULF(axis->x, sine);
+  const float alpha_v_1 = KSL_MULF(axis->y, sine);
+  const float alpha_v_2 = KSL_MULF(axis->z, sine);
   const float R_00 = 1.0f - others_0;
   const float R_01 = m_3 - alpha_v_2;
   const float R_02 = m_4 + alpha_v_1;
@@ -1637,20 +1705,20 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = upper_0 * v_s;
-  const float v_y_1 = upper_1 * v_s;
-  const float v_y_2 = upper_2 * v_s;
-  const float v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s);
+  const float v_y_1 = KSL_MULF(upper_1, v_s);
+  const float v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
-  const float n = v_n * v_r;
+  const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
   const float unit_2 = v_y_2 / divisor;
-  const float angle = 2.0f * half;
+  const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
   axis->y = unit_1;
@@ -1712,6 +1780,80 @@ static inline void ksl_mat3x3_setFromAxisAngle(
   ksl_vec3_normalized(axis, &unit);
   ksl_mat3x3_from_axis_angle(&unit, angle, r);
 }
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const double value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3_swap(&v->v[i], &v->v[j]);
+      ksl_vec3_invert(&v->v[j]);
+    }
+  }
+}
+
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
+  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
+}
+
+/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+static inline int ksl_mat3x3f_inverted(
+    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
+  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
+}
+
+/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+static inline void ksl_mat3x3f_getAxisAngle(
+    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
+  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
+}
+
+/* The rotation about an axis of any length but zero; of that, the identity. */
+static inline void ksl_mat3x3f_setFromAxisAngle(
+    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
+  ksl_vec3f_t unit;
+  ksl_vec3f_normalized(axis, &unit);
+  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
+}
+
+/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
+   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+   is read. */
+static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
+  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
+  ksl_mat3x3f_setIdentity(v);
+  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
+     u^2 of the largest entry. */
+  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
+    ksl_mat3x3f_jacobi(A, v);
+  }
+  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
+  for (int n = 0; n < 3; n++) {
+    const int i = pairs[n][0], j = pairs[n][1];
+    const float value = A->at[i][i];
+    if (value < A->at[j][j]) {
+      A->at[i][i] = A->at[j][j];
+      A->at[j][j] = value;
+      ksl_vec3f_swap(&v->v[i], &v->v[j]);
+      ksl_vec3f_invert(&v->v[j]);
+    }
+  }
+}
+
 
 /* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
    about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
@@ -1782,55 +1924,6 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
 #define ksl_mat3x3_getEulerAngles(r, ...) \
   ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
-   is read. */
-static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
-  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
-  ksl_mat3x3_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
-  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
-    ksl_mat3x3_jacobi(A, v);
-  }
-  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
-  for (int n = 0; n < 3; n++) {
-    const int i = pairs[n][0], j = pairs[n][1];
-    const double value = A->at[i][i];
-    if (value < A->at[j][j]) {
-      A->at[i][i] = A->at[j][j];
-      A->at[j][j] = value;
-      ksl_vec3_swap(&v->v[i], &v->v[j]);
-      ksl_vec3_invert(&v->v[j]);
-    }
-  }
-}
-
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
-static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
-  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
-}
-
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
-static inline int ksl_mat3x3f_inverted(
-    const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
-  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
-}
-
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
-static inline void ksl_mat3x3f_getAxisAngle(
-    const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
-  *angle = ksl_axis_angle_from_mat3x3f(r, axis);
-}
-
-/* The rotation about an axis of any length but zero; of that, the identity. */
-static inline void ksl_mat3x3f_setFromAxisAngle(
-    ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
-  ksl_vec3f_t unit;
-  ksl_vec3f_normalized(axis, &unit);
-  ksl_mat3x3f_from_axis_angle(&unit, angle, r);
-}
-
 /* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
    about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_setFromEulerAngles(
@@ -1899,29 +1992,5 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
 /* The same; the reference may be left out. */
 #define ksl_mat3x3f_getEulerAngles(r, ...) \
   ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
-
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
-   is read. */
-static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
-  static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
-  ksl_mat3x3f_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
-  for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
-    ksl_mat3x3f_jacobi(A, v);
-  }
-  A->m01 = A->m02 = A->m12 = A->m10 = A->m20 = A->m21 = 0;
-  for (int n = 0; n < 3; n++) {
-    const int i = pairs[n][0], j = pairs[n][1];
-    const float value = A->at[i][i];
-    if (value < A->at[j][j]) {
-      A->at[i][i] = A->at[j][j];
-      A->at[j][j] = value;
-      ksl_vec3f_swap(&v->v[i], &v->v[j]);
-      ksl_vec3f_invert(&v->v[j]);
-    }
-  }
-}
 
 #endif

@@ -14,30 +14,30 @@
    Error <= u |result| + 28 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0b = R->m12 * R->m21, n_0 = n_0a - n_0b,
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b,
       n_0_right = n_0a - n_0, n_0_left = n_0 + n_0_right,
       n_0_left_rest = ksl_product_rest(R->m11, R->m22, n_0a, n_0_left),
       n_0_right_rest = ksl_product_rest(R->m12, R->m21, n_0b, n_0_right),
       n_0_lo = n_0_left_rest - n_0_right_rest;
-  const double n_1a = R->m02 * R->m21, n_1b = R->m01 * R->m22, n_1 = n_1a - n_1b,
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b,
       n_1_right = n_1a - n_1, n_1_left = n_1 + n_1_right,
       n_1_left_rest = ksl_product_rest(R->m02, R->m21, n_1a, n_1_left),
       n_1_right_rest = ksl_product_rest(R->m01, R->m22, n_1b, n_1_right),
       n_1_lo = n_1_left_rest - n_1_right_rest;
-  const double n_2a = R->m01 * R->m12, n_2b = R->m02 * R->m11, n_2 = n_2a - n_2b,
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b,
       n_2_right = n_2a - n_2, n_2_left = n_2 + n_2_right,
       n_2_left_rest = ksl_product_rest(R->m01, R->m12, n_2a, n_2_left),
       n_2_right_rest = ksl_product_rest(R->m02, R->m11, n_2b, n_2_right),
       n_2_lo = n_2_left_rest - n_2_right_rest;
-  const double det_a = R->m00 * n_0, det_a_cross2 = R->m00 * n_0_lo, det_b = R->m10 * n_1,
-      det_b_cross2 = R->m10 * n_1_lo, det_c = det_a + det_b, det_c_right = det_c - det_a,
-      det_c_left = det_c - det_c_right,
+  const double det_a = KSL_MUL(R->m00, n_0), det_a_cross2 = KSL_MUL(R->m00, n_0_lo),
+      det_b = KSL_MUL(R->m10, n_1), det_b_cross2 = KSL_MUL(R->m10, n_1_lo), det_c = det_a + det_b,
+      det_c_right = det_c - det_a, det_c_left = det_c - det_c_right,
       det_c_left_rest = ksl_product_rest(R->m00, n_0, det_a, det_c_left),
       det_c_right_rest = ksl_product_rest(R->m10, n_1, det_b, det_c_right),
       det_c_cross = det_a_cross2 + det_b_cross2, det_c_lo1 = det_c_left_rest + det_c_right_rest,
-      det_c_lo = det_c_lo1 + det_c_cross, det_d = R->m20 * n_2, det_d_cross2 = R->m20 * n_2_lo,
-      det = det_c + det_d, det_right = det - det_c, det_left = det - det_right,
-      det_left_rest = det_c - det_left,
+      det_c_lo = det_c_lo1 + det_c_cross, det_d = KSL_MUL(R->m20, n_2),
+      det_d_cross2 = KSL_MUL(R->m20, n_2_lo), det = det_c + det_d, det_right = det - det_c,
+      det_left = det - det_right, det_left_rest = det_c - det_left,
       det_right_rest = ksl_product_rest(R->m20, n_2, det_d, det_right),
       det_lo1 = det_left_rest + det_right_rest, det_lo2 = det_lo1 + det_d_cross2,
       det_lo = det_lo2 + det_c_lo;
@@ -53,59 +53,60 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
 static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double n0_0a = R->m11 * R->m22, n0_0b = R->m12 * R->m21, n0_0 = n0_0a - n0_0b,
-      n0_0_right = n0_0a - n0_0, n0_0_left = n0_0 + n0_0_right,
+  const double n0_0a = KSL_MUL(R->m11, R->m22), n0_0b = KSL_MUL(R->m12, R->m21),
+      n0_0 = n0_0a - n0_0b, n0_0_right = n0_0a - n0_0, n0_0_left = n0_0 + n0_0_right,
       n0_0_left_rest = ksl_product_rest(R->m11, R->m22, n0_0a, n0_0_left),
       n0_0_right_rest = ksl_product_rest(R->m12, R->m21, n0_0b, n0_0_right),
       n0_0_lo = n0_0_left_rest - n0_0_right_rest;
-  const double n0_1a = R->m02 * R->m21, n0_1b = R->m01 * R->m22, n0_1 = n0_1a - n0_1b,
-      n0_1_right = n0_1a - n0_1, n0_1_left = n0_1 + n0_1_right,
+  const double n0_1a = KSL_MUL(R->m02, R->m21), n0_1b = KSL_MUL(R->m01, R->m22),
+      n0_1 = n0_1a - n0_1b, n0_1_right = n0_1a - n0_1, n0_1_left = n0_1 + n0_1_right,
       n0_1_left_rest = ksl_product_rest(R->m02, R->m21, n0_1a, n0_1_left),
       n0_1_right_rest = ksl_product_rest(R->m01, R->m22, n0_1b, n0_1_right),
       n0_1_lo = n0_1_left_rest - n0_1_right_rest;
-  const double n0_2a = R->m01 * R->m12, n0_2b = R->m02 * R->m11, n0_2 = n0_2a - n0_2b,
-      n0_2_right = n0_2a - n0_2, n0_2_left = n0_2 + n0_2_right,
+  const double n0_2a = KSL_MUL(R->m01, R->m12), n0_2b = KSL_MUL(R->m02, R->m11),
+      n0_2 = n0_2a - n0_2b, n0_2_right = n0_2a - n0_2, n0_2_left = n0_2 + n0_2_right,
       n0_2_left_rest = ksl_product_rest(R->m01, R->m12, n0_2a, n0_2_left),
       n0_2_right_rest = ksl_product_rest(R->m02, R->m11, n0_2b, n0_2_right),
       n0_2_lo = n0_2_left_rest - n0_2_right_rest;
-  const double n1_0a = R->m12 * R->m20, n1_0b = R->m10 * R->m22, n1_0 = n1_0a - n1_0b,
-      n1_0_right = n1_0a - n1_0, n1_0_left = n1_0 + n1_0_right,
+  const double n1_0a = KSL_MUL(R->m12, R->m20), n1_0b = KSL_MUL(R->m10, R->m22),
+      n1_0 = n1_0a - n1_0b, n1_0_right = n1_0a - n1_0, n1_0_left = n1_0 + n1_0_right,
       n1_0_left_rest = ksl_product_rest(R->m12, R->m20, n1_0a, n1_0_left),
       n1_0_right_rest = ksl_product_rest(R->m10, R->m22, n1_0b, n1_0_right),
       n1_0_lo = n1_0_left_rest - n1_0_right_rest;
-  const double n1_1a = R->m00 * R->m22, n1_1b = R->m02 * R->m20, n1_1 = n1_1a - n1_1b,
-      n1_1_right = n1_1a - n1_1, n1_1_left = n1_1 + n1_1_right,
+  const double n1_1a = KSL_MUL(R->m00, R->m22), n1_1b = KSL_MUL(R->m02, R->m20),
+      n1_1 = n1_1a - n1_1b, n1_1_right = n1_1a - n1_1, n1_1_left = n1_1 + n1_1_right,
       n1_1_left_rest = ksl_product_rest(R->m00, R->m22, n1_1a, n1_1_left),
       n1_1_right_rest = ksl_product_rest(R->m02, R->m20, n1_1b, n1_1_right),
       n1_1_lo = n1_1_left_rest - n1_1_right_rest;
-  const double n1_2a = R->m02 * R->m10, n1_2b = R->m00 * R->m12, n1_2 = n1_2a - n1_2b,
-      n1_2_right = n1_2a - n1_2, n1_2_left = n1_2 + n1_2_right,
+  const double n1_2a = KSL_MUL(R->m02, R->m10), n1_2b = KSL_MUL(R->m00, R->m12),
+      n1_2 = n1_2a - n1_2b, n1_2_right = n1_2a - n1_2, n1_2_left = n1_2 + n1_2_right,
       n1_2_left_rest = ksl_product_rest(R->m02, R->m10, n1_2a, n1_2_left),
       n1_2_right_rest = ksl_product_rest(R->m00, R->m12, n1_2b, n1_2_right),
       n1_2_lo = n1_2_left_rest - n1_2_right_rest;
-  const double n2_0a = R->m10 * R->m21, n2_0b = R->m11 * R->m20, n2_0 = n2_0a - n2_0b,
-      n2_0_right = n2_0a - n2_0, n2_0_left = n2_0 + n2_0_right,
+  const double n2_0a = KSL_MUL(R->m10, R->m21), n2_0b = KSL_MUL(R->m11, R->m20),
+      n2_0 = n2_0a - n2_0b, n2_0_right = n2_0a - n2_0, n2_0_left = n2_0 + n2_0_right,
       n2_0_left_rest = ksl_product_rest(R->m10, R->m21, n2_0a, n2_0_left),
       n2_0_right_rest = ksl_product_rest(R->m11, R->m20, n2_0b, n2_0_right),
       n2_0_lo = n2_0_left_rest - n2_0_right_rest;
-  const double n2_1a = R->m01 * R->m20, n2_1b = R->m00 * R->m21, n2_1 = n2_1a - n2_1b,
-      n2_1_right = n2_1a - n2_1, n2_1_left = n2_1 + n2_1_right,
+  const double n2_1a = KSL_MUL(R->m01, R->m20), n2_1b = KSL_MUL(R->m00, R->m21),
+      n2_1 = n2_1a - n2_1b, n2_1_right = n2_1a - n2_1, n2_1_left = n2_1 + n2_1_right,
       n2_1_left_rest = ksl_product_rest(R->m01, R->m20, n2_1a, n2_1_left),
       n2_1_right_rest = ksl_product_rest(R->m00, R->m21, n2_1b, n2_1_right),
       n2_1_lo = n2_1_left_rest - n2_1_right_rest;
-  const double n2_2a = R->m00 * R->m11, n2_2b = R->m01 * R->m10, n2_2 = n2_2a - n2_2b,
-      n2_2_right = n2_2a - n2_2, n2_2_left = n2_2 + n2_2_right,
+  const double n2_2a = KSL_MUL(R->m00, R->m11), n2_2b = KSL_MUL(R->m01, R->m10),
+      n2_2 = n2_2a - n2_2b, n2_2_right = n2_2a - n2_2, n2_2_left = n2_2 + n2_2_right,
       n2_2_left_rest = ksl_product_rest(R->m00, R->m11, n2_2a, n2_2_left),
       n2_2_right_rest = ksl_product_rest(R->m01, R->m10, n2_2b, n2_2_right),
       n2_2_lo = n2_2_left_rest - n2_2_right_rest;
-  const double d_a = R->m00 * n0_0, d_a_cross2 = R->m00 * n0_0_lo, d_b = R->m10 * n0_1,
-      d_b_cross2 = R->m10 * n0_1_lo, d_c = d_a + d_b, d_c_right = d_c - d_a,
-      d_c_left = d_c - d_c_right, d_c_left_rest = ksl_product_rest(R->m00, n0_0, d_a, d_c_left),
+  const double d_a = KSL_MUL(R->m00, n0_0), d_a_cross2 = KSL_MUL(R->m00, n0_0_lo),
+      d_b = KSL_MUL(R->m10, n0_1), d_b_cross2 = KSL_MUL(R->m10, n0_1_lo), d_c = d_a + d_b,
+      d_c_right = d_c - d_a, d_c_left = d_c - d_c_right,
+      d_c_left_rest = ksl_product_rest(R->m00, n0_0, d_a, d_c_left),
       d_c_right_rest = ksl_product_rest(R->m10, n0_1, d_b, d_c_right),
       d_c_cross = d_a_cross2 + d_b_cross2, d_c_lo1 = d_c_left_rest + d_c_right_rest,
-      d_c_lo = d_c_lo1 + d_c_cross, d_d = R->m20 * n0_2, d_d_cross2 = R->m20 * n0_2_lo,
-      d = d_c + d_d, d_right = d - d_c, d_left = d - d_right, d_left_rest = d_c - d_left,
-      d_right_rest = ksl_product_rest(R->m20, n0_2, d_d, d_right),
+      d_c_lo = d_c_lo1 + d_c_cross, d_d = KSL_MUL(R->m20, n0_2),
+      d_d_cross2 = KSL_MUL(R->m20, n0_2_lo), d = d_c + d_d, d_right = d - d_c, d_left = d - d_right,
+      d_left_rest = d_c - d_left, d_right_rest = ksl_product_rest(R->m20, n0_2, d_d, d_right),
       d_lo1 = d_left_rest + d_right_rest, d_lo2 = d_lo1 + d_d_cross2, d_lo = d_lo2 + d_c_lo;
   const double size0_0 = fabs(R->m00);
   const double size0_1 = fabs(R->m10);
@@ -116,43 +117,45 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   const double size2_0 = fabs(R->m02);
   const double size2_1 = fabs(R->m12);
   const double size2_2 = fabs(R->m22);
-  const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
+  const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_c_right = permanent_c - permanent_a,
       permanent_c_left = permanent_c - permanent_c_right,
       permanent_c_left_rest = ksl_product_rest(size1_1, size2_2, permanent_a, permanent_c_left),
       permanent_c_right_rest = ksl_product_rest(size1_2, size2_1, permanent_b, permanent_c_right),
       permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest,
-      permanent_d = size0_0 * permanent_c, permanent_d_cross2 = size0_0 * permanent_c_lo,
-      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
+      permanent_d = KSL_MUL(size0_0, permanent_c),
+      permanent_d_cross2 = KSL_MUL(size0_0, permanent_c_lo),
+      permanent_e = KSL_MUL(size1_0, size2_2), permanent_f = KSL_MUL(size1_2, size2_0),
       permanent_g = permanent_e + permanent_f, permanent_g_right = permanent_g - permanent_e,
       permanent_g_left = permanent_g - permanent_g_right,
       permanent_g_left_rest = ksl_product_rest(size1_0, size2_2, permanent_e, permanent_g_left),
       permanent_g_right_rest = ksl_product_rest(size1_2, size2_0, permanent_f, permanent_g_right),
       permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest,
-      permanent_h = size0_1 * permanent_g, permanent_h_cross2 = size0_1 * permanent_g_lo,
+      permanent_h = KSL_MUL(size0_1, permanent_g),
+      permanent_h_cross2 = KSL_MUL(size0_1, permanent_g_lo),
       permanent_i = permanent_d + permanent_h, permanent_i_right = permanent_i - permanent_d,
       permanent_i_left = permanent_i - permanent_i_right,
       permanent_i_left_rest = ksl_product_rest(size0_0, permanent_c, permanent_d, permanent_i_left),
       permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h, permanent_i_right),
       permanent_i_cross = permanent_d_cross2 + permanent_h_cross2,
       permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest,
-      permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = size1_0 * size2_1,
-      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
+      permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = KSL_MUL(size1_0, size2_1),
+      permanent_k = KSL_MUL(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
       permanent_l_right = permanent_l - permanent_j,
       permanent_l_left = permanent_l - permanent_l_right,
       permanent_l_left_rest = ksl_product_rest(size1_0, size2_1, permanent_j, permanent_l_left),
       permanent_l_right_rest = ksl_product_rest(size1_1, size2_0, permanent_k, permanent_l_right),
       permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest,
-      permanent_m = size0_2 * permanent_l, permanent_m_cross2 = size0_2 * permanent_l_lo,
-      permanent = permanent_i + permanent_m, permanent_right = permanent - permanent_i,
-      permanent_left = permanent - permanent_right,
+      permanent_m = KSL_MUL(size0_2, permanent_l),
+      permanent_m_cross2 = KSL_MUL(size0_2, permanent_l_lo), permanent = permanent_i + permanent_m,
+      permanent_right = permanent - permanent_i, permanent_left = permanent - permanent_right,
       permanent_left_rest = permanent_i - permanent_left,
       permanent_right_rest = ksl_product_rest(size0_2, permanent_l, permanent_m, permanent_right),
       permanent_lo1 = permanent_left_rest + permanent_right_rest,
       permanent_lo2 = permanent_lo1 + permanent_m_cross2,
       permanent_lo = permanent_lo2 + permanent_i_lo;
-  const double least_a = permanent * 8.881784197001252e-16,
-      least_a_cross1 = permanent_lo * 8.881784197001252e-16,
+  const double least_a = KSL_MUL(permanent, 8.881784197001252e-16),
+      least_a_cross1 = KSL_MUL(permanent_lo, 8.881784197001252e-16),
       least = least_a + 1.0261342003245941e-289, least_right = least - least_a,
       least_left = least - least_right,
       least_left_rest = ksl_product_rest(permanent, 8.881784197001252e-16, least_a, least_left),
@@ -182,12 +185,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_00a_of_divisor_left_rest = divisor - Ro_00a_of_divisor_left,
       Ro_00a_of_divisor_right_rest = divisor_lo - Ro_00a_of_divisor_right,
       Ro_00a_of_divisor_lo = Ro_00a_of_divisor_left_rest + Ro_00a_of_divisor_right_rest,
-      Ro_00a = Ro_00a_of_n0_0 / Ro_00a_of_divisor, Ro_00a_product = Ro_00a * Ro_00a_of_divisor,
+      Ro_00a = Ro_00a_of_n0_0 / Ro_00a_of_divisor,
+      Ro_00a_product = KSL_MUL(Ro_00a, Ro_00a_of_divisor),
       Ro_00a_product_error = ksl_product_error(Ro_00a, Ro_00a_of_divisor, Ro_00a_product),
       Ro_00a_rest = Ro_00a_of_n0_0 - Ro_00a_product,
       Ro_00a_exact = Ro_00a_rest - Ro_00a_product_error,
       Ro_00a_numerator = Ro_00a_exact + Ro_00a_of_n0_0_lo,
-      Ro_00a_cross = Ro_00a * Ro_00a_of_divisor_lo,
+      Ro_00a_cross = KSL_MUL(Ro_00a, Ro_00a_of_divisor_lo),
       Ro_00a_residual = Ro_00a_numerator - Ro_00a_cross,
       Ro_00a_lo = Ro_00a_residual / Ro_00a_of_divisor,
       Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN, Ro_00_lo = regular == 1.0 ? Ro_00a_lo : 0.0;
@@ -196,12 +200,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_01a_of_n0_1_left_rest = n0_1 - Ro_01a_of_n0_1_left,
       Ro_01a_of_n0_1_right_rest = n0_1_lo - Ro_01a_of_n0_1_right,
       Ro_01a_of_n0_1_lo = Ro_01a_of_n0_1_left_rest + Ro_01a_of_n0_1_right_rest,
-      Ro_01a = Ro_01a_of_n0_1 / Ro_00a_of_divisor, Ro_01a_product = Ro_01a * Ro_00a_of_divisor,
+      Ro_01a = Ro_01a_of_n0_1 / Ro_00a_of_divisor,
+      Ro_01a_product = KSL_MUL(Ro_01a, Ro_00a_of_divisor),
       Ro_01a_product_error = ksl_product_error(Ro_01a, Ro_00a_of_divisor, Ro_01a_product),
       Ro_01a_rest = Ro_01a_of_n0_1 - Ro_01a_product,
       Ro_01a_exact = Ro_01a_rest - Ro_01a_product_error,
       Ro_01a_numerator = Ro_01a_exact + Ro_01a_of_n0_1_lo,
-      Ro_01a_cross = Ro_01a * Ro_00a_of_divisor_lo,
+      Ro_01a_cross = KSL_MUL(Ro_01a, Ro_00a_of_divisor_lo),
       Ro_01a_residual = Ro_01a_numerator - Ro_01a_cross,
       Ro_01a_lo = Ro_01a_residual / Ro_00a_of_divisor,
       Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN, Ro_01_lo = regular == 1.0 ? Ro_01a_lo : 0.0;
@@ -210,12 +215,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_02a_of_n0_2_left_rest = n0_2 - Ro_02a_of_n0_2_left,
       Ro_02a_of_n0_2_right_rest = n0_2_lo - Ro_02a_of_n0_2_right,
       Ro_02a_of_n0_2_lo = Ro_02a_of_n0_2_left_rest + Ro_02a_of_n0_2_right_rest,
-      Ro_02a = Ro_02a_of_n0_2 / Ro_00a_of_divisor, Ro_02a_product = Ro_02a * Ro_00a_of_divisor,
+      Ro_02a = Ro_02a_of_n0_2 / Ro_00a_of_divisor,
+      Ro_02a_product = KSL_MUL(Ro_02a, Ro_00a_of_divisor),
       Ro_02a_product_error = ksl_product_error(Ro_02a, Ro_00a_of_divisor, Ro_02a_product),
       Ro_02a_rest = Ro_02a_of_n0_2 - Ro_02a_product,
       Ro_02a_exact = Ro_02a_rest - Ro_02a_product_error,
       Ro_02a_numerator = Ro_02a_exact + Ro_02a_of_n0_2_lo,
-      Ro_02a_cross = Ro_02a * Ro_00a_of_divisor_lo,
+      Ro_02a_cross = KSL_MUL(Ro_02a, Ro_00a_of_divisor_lo),
       Ro_02a_residual = Ro_02a_numerator - Ro_02a_cross,
       Ro_02a_lo = Ro_02a_residual / Ro_00a_of_divisor,
       Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN, Ro_02_lo = regular == 1.0 ? Ro_02a_lo : 0.0;
@@ -224,12 +230,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_10a_of_n1_0_left_rest = n1_0 - Ro_10a_of_n1_0_left,
       Ro_10a_of_n1_0_right_rest = n1_0_lo - Ro_10a_of_n1_0_right,
       Ro_10a_of_n1_0_lo = Ro_10a_of_n1_0_left_rest + Ro_10a_of_n1_0_right_rest,
-      Ro_10a = Ro_10a_of_n1_0 / Ro_00a_of_divisor, Ro_10a_product = Ro_10a * Ro_00a_of_divisor,
+      Ro_10a = Ro_10a_of_n1_0 / Ro_00a_of_divisor,
+      Ro_10a_product = KSL_MUL(Ro_10a, Ro_00a_of_divisor),
       Ro_10a_product_error = ksl_product_error(Ro_10a, Ro_00a_of_divisor, Ro_10a_product),
       Ro_10a_rest = Ro_10a_of_n1_0 - Ro_10a_product,
       Ro_10a_exact = Ro_10a_rest - Ro_10a_product_error,
       Ro_10a_numerator = Ro_10a_exact + Ro_10a_of_n1_0_lo,
-      Ro_10a_cross = Ro_10a * Ro_00a_of_divisor_lo,
+      Ro_10a_cross = KSL_MUL(Ro_10a, Ro_00a_of_divisor_lo),
       Ro_10a_residual = Ro_10a_numerator - Ro_10a_cross,
       Ro_10a_lo = Ro_10a_residual / Ro_00a_of_divisor,
       Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN, Ro_10_lo = regular == 1.0 ? Ro_10a_lo : 0.0;
@@ -238,12 +245,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_11a_of_n1_1_left_rest = n1_1 - Ro_11a_of_n1_1_left,
       Ro_11a_of_n1_1_right_rest = n1_1_lo - Ro_11a_of_n1_1_right,
       Ro_11a_of_n1_1_lo = Ro_11a_of_n1_1_left_rest + Ro_11a_of_n1_1_right_rest,
-      Ro_11a = Ro_11a_of_n1_1 / Ro_00a_of_divisor, Ro_11a_product = Ro_11a * Ro_00a_of_divisor,
+      Ro_11a = Ro_11a_of_n1_1 / Ro_00a_of_divisor,
+      Ro_11a_product = KSL_MUL(Ro_11a, Ro_00a_of_divisor),
       Ro_11a_product_error = ksl_product_error(Ro_11a, Ro_00a_of_divisor, Ro_11a_product),
       Ro_11a_rest = Ro_11a_of_n1_1 - Ro_11a_product,
       Ro_11a_exact = Ro_11a_rest - Ro_11a_product_error,
       Ro_11a_numerator = Ro_11a_exact + Ro_11a_of_n1_1_lo,
-      Ro_11a_cross = Ro_11a * Ro_00a_of_divisor_lo,
+      Ro_11a_cross = KSL_MUL(Ro_11a, Ro_00a_of_divisor_lo),
       Ro_11a_residual = Ro_11a_numerator - Ro_11a_cross,
       Ro_11a_lo = Ro_11a_residual / Ro_00a_of_divisor,
       Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN, Ro_11_lo = regular == 1.0 ? Ro_11a_lo : 0.0;
@@ -252,12 +260,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_12a_of_n1_2_left_rest = n1_2 - Ro_12a_of_n1_2_left,
       Ro_12a_of_n1_2_right_rest = n1_2_lo - Ro_12a_of_n1_2_right,
       Ro_12a_of_n1_2_lo = Ro_12a_of_n1_2_left_rest + Ro_12a_of_n1_2_right_rest,
-      Ro_12a = Ro_12a_of_n1_2 / Ro_00a_of_divisor, Ro_12a_product = Ro_12a * Ro_00a_of_divisor,
+      Ro_12a = Ro_12a_of_n1_2 / Ro_00a_of_divisor,
+      Ro_12a_product = KSL_MUL(Ro_12a, Ro_00a_of_divisor),
       Ro_12a_product_error = ksl_product_error(Ro_12a, Ro_00a_of_divisor, Ro_12a_product),
       Ro_12a_rest = Ro_12a_of_n1_2 - Ro_12a_product,
       Ro_12a_exact = Ro_12a_rest - Ro_12a_product_error,
       Ro_12a_numerator = Ro_12a_exact + Ro_12a_of_n1_2_lo,
-      Ro_12a_cross = Ro_12a * Ro_00a_of_divisor_lo,
+      Ro_12a_cross = KSL_MUL(Ro_12a, Ro_00a_of_divisor_lo),
       Ro_12a_residual = Ro_12a_numerator - Ro_12a_cross,
       Ro_12a_lo = Ro_12a_residual / Ro_00a_of_divisor,
       Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN, Ro_12_lo = regular == 1.0 ? Ro_12a_lo : 0.0;
@@ -266,12 +275,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_20a_of_n2_0_left_rest = n2_0 - Ro_20a_of_n2_0_left,
       Ro_20a_of_n2_0_right_rest = n2_0_lo - Ro_20a_of_n2_0_right,
       Ro_20a_of_n2_0_lo = Ro_20a_of_n2_0_left_rest + Ro_20a_of_n2_0_right_rest,
-      Ro_20a = Ro_20a_of_n2_0 / Ro_00a_of_divisor, Ro_20a_product = Ro_20a * Ro_00a_of_divisor,
+      Ro_20a = Ro_20a_of_n2_0 / Ro_00a_of_divisor,
+      Ro_20a_product = KSL_MUL(Ro_20a, Ro_00a_of_divisor),
       Ro_20a_product_error = ksl_product_error(Ro_20a, Ro_00a_of_divisor, Ro_20a_product),
       Ro_20a_rest = Ro_20a_of_n2_0 - Ro_20a_product,
       Ro_20a_exact = Ro_20a_rest - Ro_20a_product_error,
       Ro_20a_numerator = Ro_20a_exact + Ro_20a_of_n2_0_lo,
-      Ro_20a_cross = Ro_20a * Ro_00a_of_divisor_lo,
+      Ro_20a_cross = KSL_MUL(Ro_20a, Ro_00a_of_divisor_lo),
       Ro_20a_residual = Ro_20a_numerator - Ro_20a_cross,
       Ro_20a_lo = Ro_20a_residual / Ro_00a_of_divisor,
       Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN, Ro_20_lo = regular == 1.0 ? Ro_20a_lo : 0.0;
@@ -280,12 +290,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_21a_of_n2_1_left_rest = n2_1 - Ro_21a_of_n2_1_left,
       Ro_21a_of_n2_1_right_rest = n2_1_lo - Ro_21a_of_n2_1_right,
       Ro_21a_of_n2_1_lo = Ro_21a_of_n2_1_left_rest + Ro_21a_of_n2_1_right_rest,
-      Ro_21a = Ro_21a_of_n2_1 / Ro_00a_of_divisor, Ro_21a_product = Ro_21a * Ro_00a_of_divisor,
+      Ro_21a = Ro_21a_of_n2_1 / Ro_00a_of_divisor,
+      Ro_21a_product = KSL_MUL(Ro_21a, Ro_00a_of_divisor),
       Ro_21a_product_error = ksl_product_error(Ro_21a, Ro_00a_of_divisor, Ro_21a_product),
       Ro_21a_rest = Ro_21a_of_n2_1 - Ro_21a_product,
       Ro_21a_exact = Ro_21a_rest - Ro_21a_product_error,
       Ro_21a_numerator = Ro_21a_exact + Ro_21a_of_n2_1_lo,
-      Ro_21a_cross = Ro_21a * Ro_00a_of_divisor_lo,
+      Ro_21a_cross = KSL_MUL(Ro_21a, Ro_00a_of_divisor_lo),
       Ro_21a_residual = Ro_21a_numerator - Ro_21a_cross,
       Ro_21a_lo = Ro_21a_residual / Ro_00a_of_divisor,
       Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN, Ro_21_lo = regular == 1.0 ? Ro_21a_lo : 0.0;
@@ -294,12 +305,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       Ro_22a_of_n2_2_left_rest = n2_2 - Ro_22a_of_n2_2_left,
       Ro_22a_of_n2_2_right_rest = n2_2_lo - Ro_22a_of_n2_2_right,
       Ro_22a_of_n2_2_lo = Ro_22a_of_n2_2_left_rest + Ro_22a_of_n2_2_right_rest,
-      Ro_22a = Ro_22a_of_n2_2 / Ro_00a_of_divisor, Ro_22a_product = Ro_22a * Ro_00a_of_divisor,
+      Ro_22a = Ro_22a_of_n2_2 / Ro_00a_of_divisor,
+      Ro_22a_product = KSL_MUL(Ro_22a, Ro_00a_of_divisor),
       Ro_22a_product_error = ksl_product_error(Ro_22a, Ro_00a_of_divisor, Ro_22a_product),
       Ro_22a_rest = Ro_22a_of_n2_2 - Ro_22a_product,
       Ro_22a_exact = Ro_22a_rest - Ro_22a_product_error,
       Ro_22a_numerator = Ro_22a_exact + Ro_22a_of_n2_2_lo,
-      Ro_22a_cross = Ro_22a * Ro_00a_of_divisor_lo,
+      Ro_22a_cross = KSL_MUL(Ro_22a, Ro_00a_of_divisor_lo),
       Ro_22a_residual = Ro_22a_numerator - Ro_22a_cross,
       Ro_22a_lo = Ro_22a_residual / Ro_00a_of_divisor,
       Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN, Ro_22_lo = regular == 1.0 ? Ro_22a_lo : 0.0;
@@ -350,16 +362,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = self->m00 * q0_s;
-  const double q0_y_1 = self->m01 * q0_s;
-  const double q0_y_2 = self->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL(self->m00, q0_s);
+  const double q0_y_1 = KSL_MUL(self->m01, q0_s);
+  const double q0_y_2 = KSL_MUL(self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_c_right = q0_n_c - q0_n_a, q0_n_c_left = q0_n_c - q0_n_c_right,
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_c_right = q0_n_c - q0_n_a, q0_n_c_left = q0_n_c - q0_n_c_right,
       q0_n_c_left_rest = ksl_product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c_left),
       q0_n_c_right_rest = ksl_product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right),
-      q0_n_c_lo = q0_n_c_left_rest + q0_n_c_right_rest, q0_n_d = q0_y_2 * q0_y_2,
+      q0_n_c_lo = q0_n_c_left_rest + q0_n_c_right_rest, q0_n_d = KSL_MUL(q0_y_2, q0_y_2),
       q0_n_e = q0_n_c + q0_n_d, q0_n_e_right = q0_n_e - q0_n_c, q0_n_e_left = q0_n_e - q0_n_e_right,
       q0_n_e_left_rest = q0_n_c - q0_n_e_left,
       q0_n_e_right_rest = ksl_product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right),
@@ -369,7 +381,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_n_of_q0_n_e_left_rest = q0_n_e - q0_n_of_q0_n_e_left,
       q0_n_of_q0_n_e_right_rest = q0_n_e_lo - q0_n_of_q0_n_e_right,
       q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + q0_n_of_q0_n_e_right_rest,
-      q0_n = sqrt(q0_n_of_q0_n_e), q0_n_product = q0_n * q0_n,
+      q0_n = sqrt(q0_n_of_q0_n_e), q0_n_product = KSL_MUL(q0_n, q0_n),
       q0_n_product_error = ksl_product_error(q0_n, q0_n, q0_n_product),
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
@@ -382,9 +394,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
       q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
       q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
-  const double q0_enlarged_0 = self->m00 * q0_up;
-  const double q0_enlarged_1 = self->m01 * q0_up;
-  const double q0_enlarged_2 = self->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL(self->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL(self->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL(self->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
       q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
@@ -392,27 +404,27 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
       q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
       q0_quotient_0_rest = q0_enlarged_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
-      q0_quotient_0_cross = q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0_cross,
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
       q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
       q0_quotient_1_rest = q0_enlarged_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
-      q0_quotient_1_cross = q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1_cross,
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
       q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
       q0_quotient_2_rest = q0_enlarged_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
-      q0_quotient_2_cross = q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2_cross,
       q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor;
   const double q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo,
@@ -421,9 +433,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left,
       q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right,
       q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest,
-      q0_0 = q0_0_of_q0_quotient_0 * q0_down, q0_0_inverse = 1.0 / q0_down,
-      q0_0_back = q0_0 * q0_0_inverse, q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
-      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = q0_0_rest * q0_down,
+      q0_0 = KSL_MUL(q0_0_of_q0_quotient_0, q0_down), q0_0_inverse = 1.0 / q0_down,
+      q0_0_back = KSL_MUL(q0_0, q0_0_inverse), q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
+      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = KSL_MUL(q0_0_rest, q0_down),
       q0_0_lo = q0_0_lost == 0.0 ? 0.0 : q0_0_small;
   const double q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo,
       q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1,
@@ -431,9 +443,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left,
       q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right,
       q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest,
-      q0_1 = q0_1_of_q0_quotient_1 * q0_down, q0_1_back = q0_1 * q0_0_inverse,
+      q0_1 = KSL_MUL(q0_1_of_q0_quotient_1, q0_down), q0_1_back = KSL_MUL(q0_1, q0_0_inverse),
       q0_1_lost = q0_1_of_q0_quotient_1 - q0_1_back,
-      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = q0_1_rest * q0_down,
+      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = KSL_MUL(q0_1_rest, q0_down),
       q0_1_lo = q0_1_lost == 0.0 ? 0.0 : q0_1_small;
   const double q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo,
       q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2,
@@ -441,9 +453,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left,
       q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right,
       q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest,
-      q0_2 = q0_2_of_q0_quotient_2 * q0_down, q0_2_back = q0_2 * q0_0_inverse,
+      q0_2 = KSL_MUL(q0_2_of_q0_quotient_2, q0_down), q0_2_back = KSL_MUL(q0_2, q0_0_inverse),
       q0_2_lost = q0_2_of_q0_quotient_2 - q0_2_back,
-      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = q0_2_rest * q0_down,
+      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = KSL_MUL(q0_2_rest, q0_down),
       q0_2_lo = q0_2_lost == 0.0 ? 0.0 : q0_2_small;
   const double u1_s_size_0 = fabs(self->m10);
   const double u1_s_size_1 = fabs(self->m11);
@@ -453,16 +465,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = self->m10 * u1_s;
-  const double u1_y_1 = self->m11 * u1_s;
-  const double u1_y_2 = self->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL(self->m10, u1_s);
+  const double u1_y_1 = KSL_MUL(self->m11, u1_s);
+  const double u1_y_2 = KSL_MUL(self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_c_right = u1_n_c - u1_n_a, u1_n_c_left = u1_n_c - u1_n_c_right,
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_c_right = u1_n_c - u1_n_a, u1_n_c_left = u1_n_c - u1_n_c_right,
       u1_n_c_left_rest = ksl_product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c_left),
       u1_n_c_right_rest = ksl_product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right),
-      u1_n_c_lo = u1_n_c_left_rest + u1_n_c_right_rest, u1_n_d = u1_y_2 * u1_y_2,
+      u1_n_c_lo = u1_n_c_left_rest + u1_n_c_right_rest, u1_n_d = KSL_MUL(u1_y_2, u1_y_2),
       u1_n_e = u1_n_c + u1_n_d, u1_n_e_right = u1_n_e - u1_n_c, u1_n_e_left = u1_n_e - u1_n_e_right,
       u1_n_e_left_rest = u1_n_c - u1_n_e_left,
       u1_n_e_right_rest = ksl_product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right),
@@ -472,7 +484,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_n_of_u1_n_e_left_rest = u1_n_e - u1_n_of_u1_n_e_left,
       u1_n_of_u1_n_e_right_rest = u1_n_e_lo - u1_n_of_u1_n_e_right,
       u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + u1_n_of_u1_n_e_right_rest,
-      u1_n = sqrt(u1_n_of_u1_n_e), u1_n_product = u1_n * u1_n,
+      u1_n = sqrt(u1_n_of_u1_n_e), u1_n_product = KSL_MUL(u1_n, u1_n),
       u1_n_product_error = ksl_product_error(u1_n, u1_n, u1_n_product),
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
@@ -485,9 +497,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
       u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
       u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
-  const double u1_enlarged_0 = self->m10 * u1_up;
-  const double u1_enlarged_1 = self->m11 * u1_up;
-  const double u1_enlarged_2 = self->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL(self->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL(self->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL(self->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
       u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
@@ -495,27 +507,27 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
       u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
       u1_quotient_0_rest = u1_enlarged_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
-      u1_quotient_0_cross = u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0_cross,
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
       u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
       u1_quotient_1_rest = u1_enlarged_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
-      u1_quotient_1_cross = u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1_cross,
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
       u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
       u1_quotient_2_rest = u1_enlarged_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
-      u1_quotient_2_cross = u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2_cross,
       u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor;
   const double u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo,
@@ -524,9 +536,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left,
       u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right,
       u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest,
-      u1_0 = u1_0_of_u1_quotient_0 * u1_down, u1_0_inverse = 1.0 / u1_down,
-      u1_0_back = u1_0 * u1_0_inverse, u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
-      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = u1_0_rest * u1_down,
+      u1_0 = KSL_MUL(u1_0_of_u1_quotient_0, u1_down), u1_0_inverse = 1.0 / u1_down,
+      u1_0_back = KSL_MUL(u1_0, u1_0_inverse), u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
+      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = KSL_MUL(u1_0_rest, u1_down),
       u1_0_lo = u1_0_lost == 0.0 ? 0.0 : u1_0_small;
   const double u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo,
       u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1,
@@ -534,9 +546,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left,
       u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right,
       u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest,
-      u1_1 = u1_1_of_u1_quotient_1 * u1_down, u1_1_back = u1_1 * u1_0_inverse,
+      u1_1 = KSL_MUL(u1_1_of_u1_quotient_1, u1_down), u1_1_back = KSL_MUL(u1_1, u1_0_inverse),
       u1_1_lost = u1_1_of_u1_quotient_1 - u1_1_back,
-      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = u1_1_rest * u1_down,
+      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = KSL_MUL(u1_1_rest, u1_down),
       u1_1_lo = u1_1_lost == 0.0 ? 0.0 : u1_1_small;
   const double u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo,
       u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2,
@@ -544,104 +556,108 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left,
       u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right,
       u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest,
-      u1_2 = u1_2_of_u1_quotient_2 * u1_down, u1_2_back = u1_2 * u1_0_inverse,
+      u1_2 = KSL_MUL(u1_2_of_u1_quotient_2, u1_down), u1_2_back = KSL_MUL(u1_2, u1_0_inverse),
       u1_2_lost = u1_2_of_u1_quotient_2 - u1_2_back,
-      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = u1_2_rest * u1_down,
+      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = KSL_MUL(u1_2_rest, u1_down),
       u1_2_lo = u1_2_lost == 0.0 ? 0.0 : u1_2_small;
-  const double along_a = q0_0 * u1_0, along_a_cross1 = q0_0_lo * u1_0,
-      along_a_cross2 = q0_0 * u1_0_lo, along_a_cross = along_a_cross1 + along_a_cross2,
-      along_b = q0_1 * u1_1, along_b_cross1 = q0_1_lo * u1_1, along_b_cross2 = q0_1 * u1_1_lo,
-      along_b_cross = along_b_cross1 + along_b_cross2, along_c = along_a + along_b,
-      along_c_right = along_c - along_a, along_c_left = along_c - along_c_right,
+  const double along_a = KSL_MUL(q0_0, u1_0), along_a_cross1 = KSL_MUL(q0_0_lo, u1_0),
+      along_a_cross2 = KSL_MUL(q0_0, u1_0_lo), along_a_cross = along_a_cross1 + along_a_cross2,
+      along_b = KSL_MUL(q0_1, u1_1), along_b_cross1 = KSL_MUL(q0_1_lo, u1_1),
+      along_b_cross2 = KSL_MUL(q0_1, u1_1_lo), along_b_cross = along_b_cross1 + along_b_cross2,
+      along_c = along_a + along_b, along_c_right = along_c - along_a,
+      along_c_left = along_c - along_c_right,
       along_c_left_rest = ksl_product_rest(q0_0, u1_0, along_a, along_c_left),
       along_c_right_rest = ksl_product_rest(q0_1, u1_1, along_b, along_c_right),
       along_c_cross = along_a_cross + along_b_cross,
       along_c_lo1 = along_c_left_rest + along_c_right_rest,
-      along_c_lo = along_c_lo1 + along_c_cross, along_d = q0_2 * u1_2,
-      along_d_cross1 = q0_2_lo * u1_2, along_d_cross2 = q0_2 * u1_2_lo,
+      along_c_lo = along_c_lo1 + along_c_cross, along_d = KSL_MUL(q0_2, u1_2),
+      along_d_cross1 = KSL_MUL(q0_2_lo, u1_2), along_d_cross2 = KSL_MUL(q0_2, u1_2_lo),
       along_d_cross = along_d_cross1 + along_d_cross2, along = along_c + along_d,
       along_right = along - along_c, along_left = along - along_right,
       along_left_rest = along_c - along_left,
       along_right_rest = ksl_product_rest(q0_2, u1_2, along_d, along_right),
       along_lo1 = along_left_rest + along_right_rest, along_lo2 = along_lo1 + along_d_cross,
       along_lo = along_lo2 + along_c_lo;
-  const double once_0a = q0_0 * along, once_0a_cross1 = q0_0_lo * along,
-      once_0a_cross2 = q0_0 * along_lo, once_0a_cross = once_0a_cross1 + once_0a_cross2,
+  const double once_0a = KSL_MUL(q0_0, along), once_0a_cross1 = KSL_MUL(q0_0_lo, along),
+      once_0a_cross2 = KSL_MUL(q0_0, along_lo), once_0a_cross = once_0a_cross1 + once_0a_cross2,
       once_0 = u1_0 - once_0a, once_0_right = u1_0 - once_0, once_0_left = once_0 + once_0_right,
       once_0_left_rest = u1_0 - once_0_left,
       once_0_right_rest = ksl_product_rest(q0_0, along, once_0a, once_0_right),
       once_0_lo1 = once_0_left_rest - once_0_right_rest, once_0_lo2 = once_0_lo1 - once_0a_cross,
       once_0_lo = once_0_lo2 + u1_0_lo;
-  const double once_1a = q0_1 * along, once_1a_cross1 = q0_1_lo * along,
-      once_1a_cross2 = q0_1 * along_lo, once_1a_cross = once_1a_cross1 + once_1a_cross2,
+  const double once_1a = KSL_MUL(q0_1, along), once_1a_cross1 = KSL_MUL(q0_1_lo, along),
+      once_1a_cross2 = KSL_MUL(q0_1, along_lo), once_1a_cross = once_1a_cross1 + once_1a_cross2,
       once_1 = u1_1 - once_1a, once_1_right = u1_1 - once_1, once_1_left = once_1 + once_1_right,
       once_1_left_rest = u1_1 - once_1_left,
       once_1_right_rest = ksl_product_rest(q0_1, along, once_1a, once_1_right),
       once_1_lo1 = once_1_left_rest - once_1_right_rest, once_1_lo2 = once_1_lo1 - once_1a_cross,
       once_1_lo = once_1_lo2 + u1_1_lo;
-  const double once_2a = q0_2 * along, once_2a_cross1 = q0_2_lo * along,
-      once_2a_cross2 = q0_2 * along_lo, once_2a_cross = once_2a_cross1 + once_2a_cross2,
+  const double once_2a = KSL_MUL(q0_2, along), once_2a_cross1 = KSL_MUL(q0_2_lo, along),
+      once_2a_cross2 = KSL_MUL(q0_2, along_lo), once_2a_cross = once_2a_cross1 + once_2a_cross2,
       once_2 = u1_2 - once_2a, once_2_right = u1_2 - once_2, once_2_left = once_2 + once_2_right,
       once_2_left_rest = u1_2 - once_2_left,
       once_2_right_rest = ksl_product_rest(q0_2, along, once_2a, once_2_right),
       once_2_lo1 = once_2_left_rest - once_2_right_rest, once_2_lo2 = once_2_lo1 - once_2a_cross,
       once_2_lo = once_2_lo2 + u1_2_lo;
-  const double rest_a = q0_0 * once_0, rest_a_cross1 = q0_0_lo * once_0,
-      rest_a_cross2 = q0_0 * once_0_lo, rest_a_cross = rest_a_cross1 + rest_a_cross2,
-      rest_b = q0_1 * once_1, rest_b_cross1 = q0_1_lo * once_1, rest_b_cross2 = q0_1 * once_1_lo,
-      rest_b_cross = rest_b_cross1 + rest_b_cross2, rest_c = rest_a + rest_b,
-      rest_c_right = rest_c - rest_a, rest_c_left = rest_c - rest_c_right,
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_a_cross1 = KSL_MUL(q0_0_lo, once_0),
+      rest_a_cross2 = KSL_MUL(q0_0, once_0_lo), rest_a_cross = rest_a_cross1 + rest_a_cross2,
+      rest_b = KSL_MUL(q0_1, once_1), rest_b_cross1 = KSL_MUL(q0_1_lo, once_1),
+      rest_b_cross2 = KSL_MUL(q0_1, once_1_lo), rest_b_cross = rest_b_cross1 + rest_b_cross2,
+      rest_c = rest_a + rest_b, rest_c_right = rest_c - rest_a, rest_c_left = rest_c - rest_c_right,
       rest_c_left_rest = ksl_product_rest(q0_0, once_0, rest_a, rest_c_left),
       rest_c_right_rest = ksl_product_rest(q0_1, once_1, rest_b, rest_c_right),
       rest_c_cross = rest_a_cross + rest_b_cross, rest_c_lo1 = rest_c_left_rest + rest_c_right_rest,
-      rest_c_lo = rest_c_lo1 + rest_c_cross, rest_d = q0_2 * once_2,
-      rest_d_cross1 = q0_2_lo * once_2, rest_d_cross2 = q0_2 * once_2_lo,
+      rest_c_lo = rest_c_lo1 + rest_c_cross, rest_d = KSL_MUL(q0_2, once_2),
+      rest_d_cross1 = KSL_MUL(q0_2_lo, once_2), rest_d_cross2 = KSL_MUL(q0_2, once_2_lo),
       rest_d_cross = rest_d_cross1 + rest_d_cross2, rest = rest_c + rest_d,
       rest_right = rest - rest_c, rest_left = rest - rest_right,
       rest_left_rest = rest_c - rest_left,
       rest_right_rest = ksl_product_rest(q0_2, once_2, rest_d, rest_right),
       rest_lo1 = rest_left_rest + rest_right_rest, rest_lo2 = rest_lo1 + rest_d_cross,
       rest_lo = rest_lo2 + rest_c_lo;
-  const double twice_0a = q0_0 * rest, twice_0a_cross1 = q0_0_lo * rest,
-      twice_0a_cross2 = q0_0 * rest_lo, twice_0a_cross = twice_0a_cross1 + twice_0a_cross2,
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0a_cross1 = KSL_MUL(q0_0_lo, rest),
+      twice_0a_cross2 = KSL_MUL(q0_0, rest_lo), twice_0a_cross = twice_0a_cross1 + twice_0a_cross2,
       twice_0 = once_0 - twice_0a, twice_0_right = once_0 - twice_0,
       twice_0_left = twice_0 + twice_0_right, twice_0_left_rest = once_0 - twice_0_left,
       twice_0_right_rest = ksl_product_rest(q0_0, rest, twice_0a, twice_0_right),
       twice_0_lo1 = twice_0_left_rest - twice_0_right_rest,
       twice_0_lo2 = twice_0_lo1 - twice_0a_cross, twice_0_lo = twice_0_lo2 + once_0_lo;
-  const double twice_1a = q0_1 * rest, twice_1a_cross1 = q0_1_lo * rest,
-      twice_1a_cross2 = q0_1 * rest_lo, twice_1a_cross = twice_1a_cross1 + twice_1a_cross2,
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1a_cross1 = KSL_MUL(q0_1_lo, rest),
+      twice_1a_cross2 = KSL_MUL(q0_1, rest_lo), twice_1a_cross = twice_1a_cross1 + twice_1a_cross2,
       twice_1 = once_1 - twice_1a, twice_1_right = once_1 - twice_1,
       twice_1_left = twice_1 + twice_1_right, twice_1_left_rest = once_1 - twice_1_left,
       twice_1_right_rest = ksl_product_rest(q0_1, rest, twice_1a, twice_1_right),
       twice_1_lo1 = twice_1_left_rest - twice_1_right_rest,
       twice_1_lo2 = twice_1_lo1 - twice_1a_cross, twice_1_lo = twice_1_lo2 + once_1_lo;
-  const double twice_2a = q0_2 * rest, twice_2a_cross1 = q0_2_lo * rest,
-      twice_2a_cross2 = q0_2 * rest_lo, twice_2a_cross = twice_2a_cross1 + twice_2a_cross2,
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2a_cross1 = KSL_MUL(q0_2_lo, rest),
+      twice_2a_cross2 = KSL_MUL(q0_2, rest_lo), twice_2a_cross = twice_2a_cross1 + twice_2a_cross2,
       twice_2 = once_2 - twice_2a, twice_2_right = once_2 - twice_2,
       twice_2_left = twice_2 + twice_2_right, twice_2_left_rest = once_2 - twice_2_left,
       twice_2_right_rest = ksl_product_rest(q0_2, rest, twice_2a, twice_2_right),
       twice_2_lo1 = twice_2_left_rest - twice_2_right_rest,
       twice_2_lo2 = twice_2_lo1 - twice_2a_cross, twice_2_lo = twice_2_lo2 + once_2_lo;
-  const double n_a = twice_0 * twice_0, n_a_cross1 = twice_0_lo * twice_0,
-      n_a_cross2 = twice_0 * twice_0_lo, n_a_cross = n_a_cross1 + n_a_cross2,
-      n_b = twice_1 * twice_1, n_b_cross1 = twice_1_lo * twice_1, n_b_cross2 = twice_1 * twice_1_lo,
-      n_b_cross = n_b_cross1 + n_b_cross2, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(twice_0, twice_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(twice_0, twice_0), n_a_cross1 = KSL_MUL(twice_0_lo, twice_0),
+      n_a_cross2 = KSL_MUL(twice_0, twice_0_lo), n_a_cross = n_a_cross1 + n_a_cross2,
+      n_b = KSL_MUL(twice_1, twice_1), n_b_cross1 = KSL_MUL(twice_1_lo, twice_1),
+      n_b_cross2 = KSL_MUL(twice_1, twice_1_lo), n_b_cross = n_b_cross1 + n_b_cross2,
+      n_c = n_a + n_b, n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(twice_0, twice_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(twice_1, twice_1, n_b, n_c_right),
       n_c_cross = n_a_cross + n_b_cross, n_c_lo1 = n_c_left_rest + n_c_right_rest,
-      n_c_lo = n_c_lo1 + n_c_cross, n_d = twice_2 * twice_2, n_d_cross1 = twice_2_lo * twice_2,
-      n_d_cross2 = twice_2 * twice_2_lo, n_d_cross = n_d_cross1 + n_d_cross2, n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_c_lo = n_c_lo1 + n_c_cross, n_d = KSL_MUL(twice_2, twice_2),
+      n_d_cross1 = KSL_MUL(twice_2_lo, twice_2), n_d_cross2 = KSL_MUL(twice_2, twice_2_lo),
+      n_d_cross = n_d_cross1 + n_d_cross2, n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(twice_2, twice_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo2 = n_e_lo1 + n_d_cross,
       n_e_lo = n_e_lo2 + n_c_lo, n_of_n_e = n_e + n_e_lo, n_of_n_e_right = n_of_n_e - n_e,
       n_of_n_e_left = n_of_n_e - n_of_n_e_right, n_of_n_e_left_rest = n_e - n_of_n_e_left,
       n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -660,36 +676,40 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q1_0_of_divisor_left_rest = divisor - q1_0_of_divisor_left,
       q1_0_of_divisor_right_rest = divisor_lo - q1_0_of_divisor_right,
       q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + q1_0_of_divisor_right_rest,
-      q1_0 = q1_0_of_twice_0 / q1_0_of_divisor, q1_0_product = q1_0 * q1_0_of_divisor,
+      q1_0 = q1_0_of_twice_0 / q1_0_of_divisor, q1_0_product = KSL_MUL(q1_0, q1_0_of_divisor),
       q1_0_product_error = ksl_product_error(q1_0, q1_0_of_divisor, q1_0_product),
       q1_0_rest = q1_0_of_twice_0 - q1_0_product, q1_0_exact = q1_0_rest - q1_0_product_error,
-      q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo, q1_0_cross = q1_0 * q1_0_of_divisor_lo,
-      q1_0_residual = q1_0_numerator - q1_0_cross, q1_0_lo = q1_0_residual / q1_0_of_divisor;
+      q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo,
+      q1_0_cross = KSL_MUL(q1_0, q1_0_of_divisor_lo), q1_0_residual = q1_0_numerator - q1_0_cross,
+      q1_0_lo = q1_0_residual / q1_0_of_divisor;
   const double q1_1_of_twice_1 = twice_1 + twice_1_lo,
       q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1,
       q1_1_of_twice_1_left = q1_1_of_twice_1 - q1_1_of_twice_1_right,
       q1_1_of_twice_1_left_rest = twice_1 - q1_1_of_twice_1_left,
       q1_1_of_twice_1_right_rest = twice_1_lo - q1_1_of_twice_1_right,
       q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + q1_1_of_twice_1_right_rest,
-      q1_1 = q1_1_of_twice_1 / q1_0_of_divisor, q1_1_product = q1_1 * q1_0_of_divisor,
+      q1_1 = q1_1_of_twice_1 / q1_0_of_divisor, q1_1_product = KSL_MUL(q1_1, q1_0_of_divisor),
       q1_1_product_error = ksl_product_error(q1_1, q1_0_of_divisor, q1_1_product),
       q1_1_rest = q1_1_of_twice_1 - q1_1_product, q1_1_exact = q1_1_rest - q1_1_product_error,
-      q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo, q1_1_cross = q1_1 * q1_0_of_divisor_lo,
-      q1_1_residual = q1_1_numerator - q1_1_cross, q1_1_lo = q1_1_residual / q1_0_of_divisor;
+      q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo,
+      q1_1_cross = KSL_MUL(q1_1, q1_0_of_divisor_lo), q1_1_residual = q1_1_numerator - q1_1_cross,
+      q1_1_lo = q1_1_residual / q1_0_of_divisor;
   const double q1_2_of_twice_2 = twice_2 + twice_2_lo,
       q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2,
       q1_2_of_twice_2_left = q1_2_of_twice_2 - q1_2_of_twice_2_right,
       q1_2_of_twice_2_left_rest = twice_2 - q1_2_of_twice_2_left,
       q1_2_of_twice_2_right_rest = twice_2_lo - q1_2_of_twice_2_right,
       q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + q1_2_of_twice_2_right_rest,
-      q1_2 = q1_2_of_twice_2 / q1_0_of_divisor, q1_2_product = q1_2 * q1_0_of_divisor,
+      q1_2 = q1_2_of_twice_2 / q1_0_of_divisor, q1_2_product = KSL_MUL(q1_2, q1_0_of_divisor),
       q1_2_product_error = ksl_product_error(q1_2, q1_0_of_divisor, q1_2_product),
       q1_2_rest = q1_2_of_twice_2 - q1_2_product, q1_2_exact = q1_2_rest - q1_2_product_error,
-      q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo, q1_2_cross = q1_2 * q1_0_of_divisor_lo,
-      q1_2_residual = q1_2_numerator - q1_2_cross, q1_2_lo = q1_2_residual / q1_0_of_divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0a_cross1 = q0_1_lo * q1_2,
-      normal_0a_cross2 = q0_1 * q1_2_lo, normal_0a_cross = normal_0a_cross1 + normal_0a_cross2,
-      normal_0b = q0_2 * q1_1, normal_0b_cross1 = q0_2_lo * q1_1, normal_0b_cross2 = q0_2 * q1_1_lo,
+      q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo,
+      q1_2_cross = KSL_MUL(q1_2, q1_0_of_divisor_lo), q1_2_residual = q1_2_numerator - q1_2_cross,
+      q1_2_lo = q1_2_residual / q1_0_of_divisor;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0a_cross1 = KSL_MUL(q0_1_lo, q1_2),
+      normal_0a_cross2 = KSL_MUL(q0_1, q1_2_lo),
+      normal_0a_cross = normal_0a_cross1 + normal_0a_cross2, normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0b_cross1 = KSL_MUL(q0_2_lo, q1_1), normal_0b_cross2 = KSL_MUL(q0_2, q1_1_lo),
       normal_0b_cross = normal_0b_cross1 + normal_0b_cross2, normal_0 = normal_0a - normal_0b,
       normal_0_right = normal_0a - normal_0, normal_0_left = normal_0 + normal_0_right,
       normal_0_left_rest = ksl_product_rest(q0_1, q1_2, normal_0a, normal_0_left),
@@ -697,9 +717,10 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       normal_0_cross = normal_0a_cross - normal_0b_cross,
       normal_0_lo1 = normal_0_left_rest - normal_0_right_rest,
       normal_0_lo = normal_0_lo1 + normal_0_cross;
-  const double normal_1a = q0_2 * q1_0, normal_1a_cross1 = q0_2_lo * q1_0,
-      normal_1a_cross2 = q0_2 * q1_0_lo, normal_1a_cross = normal_1a_cross1 + normal_1a_cross2,
-      normal_1b = q0_0 * q1_2, normal_1b_cross1 = q0_0_lo * q1_2, normal_1b_cross2 = q0_0 * q1_2_lo,
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1a_cross1 = KSL_MUL(q0_2_lo, q1_0),
+      normal_1a_cross2 = KSL_MUL(q0_2, q1_0_lo),
+      normal_1a_cross = normal_1a_cross1 + normal_1a_cross2, normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1b_cross1 = KSL_MUL(q0_0_lo, q1_2), normal_1b_cross2 = KSL_MUL(q0_0, q1_2_lo),
       normal_1b_cross = normal_1b_cross1 + normal_1b_cross2, normal_1 = normal_1a - normal_1b,
       normal_1_right = normal_1a - normal_1, normal_1_left = normal_1 + normal_1_right,
       normal_1_left_rest = ksl_product_rest(q0_2, q1_0, normal_1a, normal_1_left),
@@ -707,9 +728,10 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       normal_1_cross = normal_1a_cross - normal_1b_cross,
       normal_1_lo1 = normal_1_left_rest - normal_1_right_rest,
       normal_1_lo = normal_1_lo1 + normal_1_cross;
-  const double normal_2a = q0_0 * q1_1, normal_2a_cross1 = q0_0_lo * q1_1,
-      normal_2a_cross2 = q0_0 * q1_1_lo, normal_2a_cross = normal_2a_cross1 + normal_2a_cross2,
-      normal_2b = q0_1 * q1_0, normal_2b_cross1 = q0_1_lo * q1_0, normal_2b_cross2 = q0_1 * q1_0_lo,
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2a_cross1 = KSL_MUL(q0_0_lo, q1_1),
+      normal_2a_cross2 = KSL_MUL(q0_0, q1_1_lo),
+      normal_2a_cross = normal_2a_cross1 + normal_2a_cross2, normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2b_cross1 = KSL_MUL(q0_1_lo, q1_0), normal_2b_cross2 = KSL_MUL(q0_1, q1_0_lo),
       normal_2b_cross = normal_2b_cross1 + normal_2b_cross2, normal_2 = normal_2a - normal_2b,
       normal_2_right = normal_2a - normal_2, normal_2_left = normal_2 + normal_2_right,
       normal_2_left_rest = ksl_product_rest(q0_0, q1_1, normal_2a, normal_2_left),
@@ -725,16 +747,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = self->m20 * u2_s;
-  const double u2_y_1 = self->m21 * u2_s;
-  const double u2_y_2 = self->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL(self->m20, u2_s);
+  const double u2_y_1 = KSL_MUL(self->m21, u2_s);
+  const double u2_y_2 = KSL_MUL(self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_c_right = u2_n_c - u2_n_a, u2_n_c_left = u2_n_c - u2_n_c_right,
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_c_right = u2_n_c - u2_n_a, u2_n_c_left = u2_n_c - u2_n_c_right,
       u2_n_c_left_rest = ksl_product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c_left),
       u2_n_c_right_rest = ksl_product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right),
-      u2_n_c_lo = u2_n_c_left_rest + u2_n_c_right_rest, u2_n_d = u2_y_2 * u2_y_2,
+      u2_n_c_lo = u2_n_c_left_rest + u2_n_c_right_rest, u2_n_d = KSL_MUL(u2_y_2, u2_y_2),
       u2_n_e = u2_n_c + u2_n_d, u2_n_e_right = u2_n_e - u2_n_c, u2_n_e_left = u2_n_e - u2_n_e_right,
       u2_n_e_left_rest = u2_n_c - u2_n_e_left,
       u2_n_e_right_rest = ksl_product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right),
@@ -744,7 +766,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_n_of_u2_n_e_left_rest = u2_n_e - u2_n_of_u2_n_e_left,
       u2_n_of_u2_n_e_right_rest = u2_n_e_lo - u2_n_of_u2_n_e_right,
       u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + u2_n_of_u2_n_e_right_rest,
-      u2_n = sqrt(u2_n_of_u2_n_e), u2_n_product = u2_n * u2_n,
+      u2_n = sqrt(u2_n_of_u2_n_e), u2_n_product = KSL_MUL(u2_n, u2_n),
       u2_n_product_error = ksl_product_error(u2_n, u2_n, u2_n_product),
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
@@ -757,9 +779,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
       u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
       u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
-  const double u2_enlarged_0 = self->m20 * u2_up;
-  const double u2_enlarged_1 = self->m21 * u2_up;
-  const double u2_enlarged_2 = self->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL(self->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL(self->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL(self->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
       u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
@@ -767,27 +789,27 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
       u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
       u2_quotient_0_rest = u2_enlarged_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
-      u2_quotient_0_cross = u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0_cross,
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
       u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
       u2_quotient_1_rest = u2_enlarged_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
-      u2_quotient_1_cross = u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1_cross,
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
       u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
       u2_quotient_2_rest = u2_enlarged_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
-      u2_quotient_2_cross = u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
@@ -796,9 +818,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
       u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
       u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
-      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
-      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0 = KSL_MUL(u2_0_of_u2_quotient_0, u2_down), u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = KSL_MUL(u2_0, u2_0_inverse), u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = KSL_MUL(u2_0_rest, u2_down),
       u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
       u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
@@ -806,9 +828,9 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
       u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
       u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1 = KSL_MUL(u2_1_of_u2_quotient_1, u2_down), u2_1_back = KSL_MUL(u2_1, u2_0_inverse),
       u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
-      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = KSL_MUL(u2_1_rest, u2_down),
       u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
       u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
@@ -816,20 +838,20 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
       u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
       u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2 = KSL_MUL(u2_2_of_u2_quotient_2, u2_down), u2_2_back = KSL_MUL(u2_2, u2_0_inverse),
       u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
-      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = KSL_MUL(u2_2_rest, u2_down),
       u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
-  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
-      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
-      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
-      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+  const double side_a = KSL_MUL(normal_0, u2_0), side_a_cross1 = KSL_MUL(normal_0_lo, u2_0),
+      side_a_cross2 = KSL_MUL(normal_0, u2_0_lo), side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = KSL_MUL(normal_1, u2_1), side_b_cross1 = KSL_MUL(normal_1_lo, u2_1),
+      side_b_cross2 = KSL_MUL(normal_1, u2_1_lo), side_b_cross = side_b_cross1 + side_b_cross2,
       side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
       side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
       side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
       side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
-      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
-      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = KSL_MUL(normal_2, u2_2),
+      side_d_cross1 = KSL_MUL(normal_2_lo, u2_2), side_d_cross2 = KSL_MUL(normal_2, u2_2_lo),
       side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
       side_right = side - side_c, side_left = side - side_right,
       side_left_rest = side_c - side_left,
@@ -923,16 +945,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double q0_s_b = 6.703903964971299e+153 < q0_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.3093562431584567e+151 : q0_s_b,
       q0_s = q0_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : q0_s_d;
-  const double q0_y_0 = R->m00 * q0_s;
-  const double q0_y_1 = R->m01 * q0_s;
-  const double q0_y_2 = R->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL(R->m00, q0_s);
+  const double q0_y_1 = KSL_MUL(R->m01, q0_s);
+  const double q0_y_2 = KSL_MUL(R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_c_right = q0_n_c - q0_n_a, q0_n_c_left = q0_n_c - q0_n_c_right,
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_c_right = q0_n_c - q0_n_a, q0_n_c_left = q0_n_c - q0_n_c_right,
       q0_n_c_left_rest = ksl_product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c_left),
       q0_n_c_right_rest = ksl_product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right),
-      q0_n_c_lo = q0_n_c_left_rest + q0_n_c_right_rest, q0_n_d = q0_y_2 * q0_y_2,
+      q0_n_c_lo = q0_n_c_left_rest + q0_n_c_right_rest, q0_n_d = KSL_MUL(q0_y_2, q0_y_2),
       q0_n_e = q0_n_c + q0_n_d, q0_n_e_right = q0_n_e - q0_n_c, q0_n_e_left = q0_n_e - q0_n_e_right,
       q0_n_e_left_rest = q0_n_c - q0_n_e_left,
       q0_n_e_right_rest = ksl_product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right),
@@ -942,7 +964,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_n_of_q0_n_e_left_rest = q0_n_e - q0_n_of_q0_n_e_left,
       q0_n_of_q0_n_e_right_rest = q0_n_e_lo - q0_n_of_q0_n_e_right,
       q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + q0_n_of_q0_n_e_right_rest,
-      q0_n = sqrt(q0_n_of_q0_n_e), q0_n_product = q0_n * q0_n,
+      q0_n = sqrt(q0_n_of_q0_n_e), q0_n_product = KSL_MUL(q0_n, q0_n),
       q0_n_product_error = ksl_product_error(q0_n, q0_n, q0_n_product),
       q0_n_rest = q0_n_of_q0_n_e - q0_n_product, q0_n_exact = q0_n_rest - q0_n_product_error,
       q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo, q0_n_twice = q0_n + q0_n,
@@ -955,9 +977,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
       q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
       q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
-  const double q0_enlarged_0 = R->m00 * q0_up;
-  const double q0_enlarged_1 = R->m01 * q0_up;
-  const double q0_enlarged_2 = R->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL(R->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL(R->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL(R->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
       q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
@@ -965,27 +987,27 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
       q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
       q0_quotient_0_rest = q0_enlarged_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
-      q0_quotient_0_cross = q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0_cross,
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
       q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
       q0_quotient_1_rest = q0_enlarged_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
-      q0_quotient_1_cross = q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1_cross,
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor,
-      q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor,
+      q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
       q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
       q0_quotient_2_rest = q0_enlarged_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
-      q0_quotient_2_cross = q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo,
+      q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2_cross,
       q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor;
   const double q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo,
@@ -994,9 +1016,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left,
       q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right,
       q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest,
-      q0_0 = q0_0_of_q0_quotient_0 * q0_down, q0_0_inverse = 1.0 / q0_down,
-      q0_0_back = q0_0 * q0_0_inverse, q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
-      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = q0_0_rest * q0_down,
+      q0_0 = KSL_MUL(q0_0_of_q0_quotient_0, q0_down), q0_0_inverse = 1.0 / q0_down,
+      q0_0_back = KSL_MUL(q0_0, q0_0_inverse), q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
+      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = KSL_MUL(q0_0_rest, q0_down),
       q0_0_lo = q0_0_lost == 0.0 ? 0.0 : q0_0_small;
   const double q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo,
       q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1,
@@ -1004,9 +1026,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left,
       q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right,
       q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest,
-      q0_1 = q0_1_of_q0_quotient_1 * q0_down, q0_1_back = q0_1 * q0_0_inverse,
+      q0_1 = KSL_MUL(q0_1_of_q0_quotient_1, q0_down), q0_1_back = KSL_MUL(q0_1, q0_0_inverse),
       q0_1_lost = q0_1_of_q0_quotient_1 - q0_1_back,
-      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = q0_1_rest * q0_down,
+      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = KSL_MUL(q0_1_rest, q0_down),
       q0_1_lo = q0_1_lost == 0.0 ? 0.0 : q0_1_small;
   const double q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo,
       q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2,
@@ -1014,9 +1036,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left,
       q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right,
       q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest,
-      q0_2 = q0_2_of_q0_quotient_2 * q0_down, q0_2_back = q0_2 * q0_0_inverse,
+      q0_2 = KSL_MUL(q0_2_of_q0_quotient_2, q0_down), q0_2_back = KSL_MUL(q0_2, q0_0_inverse),
       q0_2_lost = q0_2_of_q0_quotient_2 - q0_2_back,
-      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = q0_2_rest * q0_down,
+      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = KSL_MUL(q0_2_rest, q0_down),
       q0_2_lo = q0_2_lost == 0.0 ? 0.0 : q0_2_small;
   const double u1_s_size_0 = fabs(R->m10);
   const double u1_s_size_1 = fabs(R->m11);
@@ -1026,16 +1048,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u1_s_b = 6.703903964971299e+153 < u1_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u1_s_b,
       u1_s = u1_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u1_s_d;
-  const double u1_y_0 = R->m10 * u1_s;
-  const double u1_y_1 = R->m11 * u1_s;
-  const double u1_y_2 = R->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL(R->m10, u1_s);
+  const double u1_y_1 = KSL_MUL(R->m11, u1_s);
+  const double u1_y_2 = KSL_MUL(R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_c_right = u1_n_c - u1_n_a, u1_n_c_left = u1_n_c - u1_n_c_right,
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_c_right = u1_n_c - u1_n_a, u1_n_c_left = u1_n_c - u1_n_c_right,
       u1_n_c_left_rest = ksl_product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c_left),
       u1_n_c_right_rest = ksl_product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right),
-      u1_n_c_lo = u1_n_c_left_rest + u1_n_c_right_rest, u1_n_d = u1_y_2 * u1_y_2,
+      u1_n_c_lo = u1_n_c_left_rest + u1_n_c_right_rest, u1_n_d = KSL_MUL(u1_y_2, u1_y_2),
       u1_n_e = u1_n_c + u1_n_d, u1_n_e_right = u1_n_e - u1_n_c, u1_n_e_left = u1_n_e - u1_n_e_right,
       u1_n_e_left_rest = u1_n_c - u1_n_e_left,
       u1_n_e_right_rest = ksl_product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right),
@@ -1045,7 +1067,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_n_of_u1_n_e_left_rest = u1_n_e - u1_n_of_u1_n_e_left,
       u1_n_of_u1_n_e_right_rest = u1_n_e_lo - u1_n_of_u1_n_e_right,
       u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + u1_n_of_u1_n_e_right_rest,
-      u1_n = sqrt(u1_n_of_u1_n_e), u1_n_product = u1_n * u1_n,
+      u1_n = sqrt(u1_n_of_u1_n_e), u1_n_product = KSL_MUL(u1_n, u1_n),
       u1_n_product_error = ksl_product_error(u1_n, u1_n, u1_n_product),
       u1_n_rest = u1_n_of_u1_n_e - u1_n_product, u1_n_exact = u1_n_rest - u1_n_product_error,
       u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo, u1_n_twice = u1_n + u1_n,
@@ -1058,9 +1080,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
       u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
       u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
-  const double u1_enlarged_0 = R->m10 * u1_up;
-  const double u1_enlarged_1 = R->m11 * u1_up;
-  const double u1_enlarged_2 = R->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL(R->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL(R->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL(R->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
       u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
@@ -1068,27 +1090,27 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
       u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
       u1_quotient_0_rest = u1_enlarged_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
-      u1_quotient_0_cross = u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0_cross,
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
       u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
       u1_quotient_1_rest = u1_enlarged_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
-      u1_quotient_1_cross = u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1_cross,
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor,
-      u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor,
+      u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
       u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
       u1_quotient_2_rest = u1_enlarged_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
-      u1_quotient_2_cross = u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo,
+      u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2_cross,
       u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor;
   const double u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo,
@@ -1097,9 +1119,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left,
       u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right,
       u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest,
-      u1_0 = u1_0_of_u1_quotient_0 * u1_down, u1_0_inverse = 1.0 / u1_down,
-      u1_0_back = u1_0 * u1_0_inverse, u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
-      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = u1_0_rest * u1_down,
+      u1_0 = KSL_MUL(u1_0_of_u1_quotient_0, u1_down), u1_0_inverse = 1.0 / u1_down,
+      u1_0_back = KSL_MUL(u1_0, u1_0_inverse), u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
+      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = KSL_MUL(u1_0_rest, u1_down),
       u1_0_lo = u1_0_lost == 0.0 ? 0.0 : u1_0_small;
   const double u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo,
       u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1,
@@ -1107,9 +1129,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left,
       u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right,
       u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest,
-      u1_1 = u1_1_of_u1_quotient_1 * u1_down, u1_1_back = u1_1 * u1_0_inverse,
+      u1_1 = KSL_MUL(u1_1_of_u1_quotient_1, u1_down), u1_1_back = KSL_MUL(u1_1, u1_0_inverse),
       u1_1_lost = u1_1_of_u1_quotient_1 - u1_1_back,
-      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = u1_1_rest * u1_down,
+      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = KSL_MUL(u1_1_rest, u1_down),
       u1_1_lo = u1_1_lost == 0.0 ? 0.0 : u1_1_small;
   const double u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo,
       u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2,
@@ -1117,104 +1139,108 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left,
       u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right,
       u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest,
-      u1_2 = u1_2_of_u1_quotient_2 * u1_down, u1_2_back = u1_2 * u1_0_inverse,
+      u1_2 = KSL_MUL(u1_2_of_u1_quotient_2, u1_down), u1_2_back = KSL_MUL(u1_2, u1_0_inverse),
       u1_2_lost = u1_2_of_u1_quotient_2 - u1_2_back,
-      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = u1_2_rest * u1_down,
+      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = KSL_MUL(u1_2_rest, u1_down),
       u1_2_lo = u1_2_lost == 0.0 ? 0.0 : u1_2_small;
-  const double along_a = q0_0 * u1_0, along_a_cross1 = q0_0_lo * u1_0,
-      along_a_cross2 = q0_0 * u1_0_lo, along_a_cross = along_a_cross1 + along_a_cross2,
-      along_b = q0_1 * u1_1, along_b_cross1 = q0_1_lo * u1_1, along_b_cross2 = q0_1 * u1_1_lo,
-      along_b_cross = along_b_cross1 + along_b_cross2, along_c = along_a + along_b,
-      along_c_right = along_c - along_a, along_c_left = along_c - along_c_right,
+  const double along_a = KSL_MUL(q0_0, u1_0), along_a_cross1 = KSL_MUL(q0_0_lo, u1_0),
+      along_a_cross2 = KSL_MUL(q0_0, u1_0_lo), along_a_cross = along_a_cross1 + along_a_cross2,
+      along_b = KSL_MUL(q0_1, u1_1), along_b_cross1 = KSL_MUL(q0_1_lo, u1_1),
+      along_b_cross2 = KSL_MUL(q0_1, u1_1_lo), along_b_cross = along_b_cross1 + along_b_cross2,
+      along_c = along_a + along_b, along_c_right = along_c - along_a,
+      along_c_left = along_c - along_c_right,
       along_c_left_rest = ksl_product_rest(q0_0, u1_0, along_a, along_c_left),
       along_c_right_rest = ksl_product_rest(q0_1, u1_1, along_b, along_c_right),
       along_c_cross = along_a_cross + along_b_cross,
       along_c_lo1 = along_c_left_rest + along_c_right_rest,
-      along_c_lo = along_c_lo1 + along_c_cross, along_d = q0_2 * u1_2,
-      along_d_cross1 = q0_2_lo * u1_2, along_d_cross2 = q0_2 * u1_2_lo,
+      along_c_lo = along_c_lo1 + along_c_cross, along_d = KSL_MUL(q0_2, u1_2),
+      along_d_cross1 = KSL_MUL(q0_2_lo, u1_2), along_d_cross2 = KSL_MUL(q0_2, u1_2_lo),
       along_d_cross = along_d_cross1 + along_d_cross2, along = along_c + along_d,
       along_right = along - along_c, along_left = along - along_right,
       along_left_rest = along_c - along_left,
       along_right_rest = ksl_product_rest(q0_2, u1_2, along_d, along_right),
       along_lo1 = along_left_rest + along_right_rest, along_lo2 = along_lo1 + along_d_cross,
       along_lo = along_lo2 + along_c_lo;
-  const double once_0a = q0_0 * along, once_0a_cross1 = q0_0_lo * along,
-      once_0a_cross2 = q0_0 * along_lo, once_0a_cross = once_0a_cross1 + once_0a_cross2,
+  const double once_0a = KSL_MUL(q0_0, along), once_0a_cross1 = KSL_MUL(q0_0_lo, along),
+      once_0a_cross2 = KSL_MUL(q0_0, along_lo), once_0a_cross = once_0a_cross1 + once_0a_cross2,
       once_0 = u1_0 - once_0a, once_0_right = u1_0 - once_0, once_0_left = once_0 + once_0_right,
       once_0_left_rest = u1_0 - once_0_left,
       once_0_right_rest = ksl_product_rest(q0_0, along, once_0a, once_0_right),
       once_0_lo1 = once_0_left_rest - once_0_right_rest, once_0_lo2 = once_0_lo1 - once_0a_cross,
       once_0_lo = once_0_lo2 + u1_0_lo;
-  const double once_1a = q0_1 * along, once_1a_cross1 = q0_1_lo * along,
-      once_1a_cross2 = q0_1 * along_lo, once_1a_cross = once_1a_cross1 + once_1a_cross2,
+  const double once_1a = KSL_MUL(q0_1, along), once_1a_cross1 = KSL_MUL(q0_1_lo, along),
+      once_1a_cross2 = KSL_MUL(q0_1, along_lo), once_1a_cross = once_1a_cross1 + once_1a_cross2,
       once_1 = u1_1 - once_1a, once_1_right = u1_1 - once_1, once_1_left = once_1 + once_1_right,
       once_1_left_rest = u1_1 - once_1_left,
       once_1_right_rest = ksl_product_rest(q0_1, along, once_1a, once_1_right),
       once_1_lo1 = once_1_left_rest - once_1_right_rest, once_1_lo2 = once_1_lo1 - once_1a_cross,
       once_1_lo = once_1_lo2 + u1_1_lo;
-  const double once_2a = q0_2 * along, once_2a_cross1 = q0_2_lo * along,
-      once_2a_cross2 = q0_2 * along_lo, once_2a_cross = once_2a_cross1 + once_2a_cross2,
+  const double once_2a = KSL_MUL(q0_2, along), once_2a_cross1 = KSL_MUL(q0_2_lo, along),
+      once_2a_cross2 = KSL_MUL(q0_2, along_lo), once_2a_cross = once_2a_cross1 + once_2a_cross2,
       once_2 = u1_2 - once_2a, once_2_right = u1_2 - once_2, once_2_left = once_2 + once_2_right,
       once_2_left_rest = u1_2 - once_2_left,
       once_2_right_rest = ksl_product_rest(q0_2, along, once_2a, once_2_right),
       once_2_lo1 = once_2_left_rest - once_2_right_rest, once_2_lo2 = once_2_lo1 - once_2a_cross,
       once_2_lo = once_2_lo2 + u1_2_lo;
-  const double rest_a = q0_0 * once_0, rest_a_cross1 = q0_0_lo * once_0,
-      rest_a_cross2 = q0_0 * once_0_lo, rest_a_cross = rest_a_cross1 + rest_a_cross2,
-      rest_b = q0_1 * once_1, rest_b_cross1 = q0_1_lo * once_1, rest_b_cross2 = q0_1 * once_1_lo,
-      rest_b_cross = rest_b_cross1 + rest_b_cross2, rest_c = rest_a + rest_b,
-      rest_c_right = rest_c - rest_a, rest_c_left = rest_c - rest_c_right,
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_a_cross1 = KSL_MUL(q0_0_lo, once_0),
+      rest_a_cross2 = KSL_MUL(q0_0, once_0_lo), rest_a_cross = rest_a_cross1 + rest_a_cross2,
+      rest_b = KSL_MUL(q0_1, once_1), rest_b_cross1 = KSL_MUL(q0_1_lo, once_1),
+      rest_b_cross2 = KSL_MUL(q0_1, once_1_lo), rest_b_cross = rest_b_cross1 + rest_b_cross2,
+      rest_c = rest_a + rest_b, rest_c_right = rest_c - rest_a, rest_c_left = rest_c - rest_c_right,
       rest_c_left_rest = ksl_product_rest(q0_0, once_0, rest_a, rest_c_left),
       rest_c_right_rest = ksl_product_rest(q0_1, once_1, rest_b, rest_c_right),
       rest_c_cross = rest_a_cross + rest_b_cross, rest_c_lo1 = rest_c_left_rest + rest_c_right_rest,
-      rest_c_lo = rest_c_lo1 + rest_c_cross, rest_d = q0_2 * once_2,
-      rest_d_cross1 = q0_2_lo * once_2, rest_d_cross2 = q0_2 * once_2_lo,
+      rest_c_lo = rest_c_lo1 + rest_c_cross, rest_d = KSL_MUL(q0_2, once_2),
+      rest_d_cross1 = KSL_MUL(q0_2_lo, once_2), rest_d_cross2 = KSL_MUL(q0_2, once_2_lo),
       rest_d_cross = rest_d_cross1 + rest_d_cross2, rest = rest_c + rest_d,
       rest_right = rest - rest_c, rest_left = rest - rest_right,
       rest_left_rest = rest_c - rest_left,
       rest_right_rest = ksl_product_rest(q0_2, once_2, rest_d, rest_right),
       rest_lo1 = rest_left_rest + rest_right_rest, rest_lo2 = rest_lo1 + rest_d_cross,
       rest_lo = rest_lo2 + rest_c_lo;
-  const double twice_0a = q0_0 * rest, twice_0a_cross1 = q0_0_lo * rest,
-      twice_0a_cross2 = q0_0 * rest_lo, twice_0a_cross = twice_0a_cross1 + twice_0a_cross2,
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0a_cross1 = KSL_MUL(q0_0_lo, rest),
+      twice_0a_cross2 = KSL_MUL(q0_0, rest_lo), twice_0a_cross = twice_0a_cross1 + twice_0a_cross2,
       twice_0 = once_0 - twice_0a, twice_0_right = once_0 - twice_0,
       twice_0_left = twice_0 + twice_0_right, twice_0_left_rest = once_0 - twice_0_left,
       twice_0_right_rest = ksl_product_rest(q0_0, rest, twice_0a, twice_0_right),
       twice_0_lo1 = twice_0_left_rest - twice_0_right_rest,
       twice_0_lo2 = twice_0_lo1 - twice_0a_cross, twice_0_lo = twice_0_lo2 + once_0_lo;
-  const double twice_1a = q0_1 * rest, twice_1a_cross1 = q0_1_lo * rest,
-      twice_1a_cross2 = q0_1 * rest_lo, twice_1a_cross = twice_1a_cross1 + twice_1a_cross2,
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1a_cross1 = KSL_MUL(q0_1_lo, rest),
+      twice_1a_cross2 = KSL_MUL(q0_1, rest_lo), twice_1a_cross = twice_1a_cross1 + twice_1a_cross2,
       twice_1 = once_1 - twice_1a, twice_1_right = once_1 - twice_1,
       twice_1_left = twice_1 + twice_1_right, twice_1_left_rest = once_1 - twice_1_left,
       twice_1_right_rest = ksl_product_rest(q0_1, rest, twice_1a, twice_1_right),
       twice_1_lo1 = twice_1_left_rest - twice_1_right_rest,
       twice_1_lo2 = twice_1_lo1 - twice_1a_cross, twice_1_lo = twice_1_lo2 + once_1_lo;
-  const double twice_2a = q0_2 * rest, twice_2a_cross1 = q0_2_lo * rest,
-      twice_2a_cross2 = q0_2 * rest_lo, twice_2a_cross = twice_2a_cross1 + twice_2a_cross2,
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2a_cross1 = KSL_MUL(q0_2_lo, rest),
+      twice_2a_cross2 = KSL_MUL(q0_2, rest_lo), twice_2a_cross = twice_2a_cross1 + twice_2a_cross2,
       twice_2 = once_2 - twice_2a, twice_2_right = once_2 - twice_2,
       twice_2_left = twice_2 + twice_2_right, twice_2_left_rest = once_2 - twice_2_left,
       twice_2_right_rest = ksl_product_rest(q0_2, rest, twice_2a, twice_2_right),
       twice_2_lo1 = twice_2_left_rest - twice_2_right_rest,
       twice_2_lo2 = twice_2_lo1 - twice_2a_cross, twice_2_lo = twice_2_lo2 + once_2_lo;
-  const double n_a = twice_0 * twice_0, n_a_cross1 = twice_0_lo * twice_0,
-      n_a_cross2 = twice_0 * twice_0_lo, n_a_cross = n_a_cross1 + n_a_cross2,
-      n_b = twice_1 * twice_1, n_b_cross1 = twice_1_lo * twice_1, n_b_cross2 = twice_1 * twice_1_lo,
-      n_b_cross = n_b_cross1 + n_b_cross2, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(twice_0, twice_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(twice_0, twice_0), n_a_cross1 = KSL_MUL(twice_0_lo, twice_0),
+      n_a_cross2 = KSL_MUL(twice_0, twice_0_lo), n_a_cross = n_a_cross1 + n_a_cross2,
+      n_b = KSL_MUL(twice_1, twice_1), n_b_cross1 = KSL_MUL(twice_1_lo, twice_1),
+      n_b_cross2 = KSL_MUL(twice_1, twice_1_lo), n_b_cross = n_b_cross1 + n_b_cross2,
+      n_c = n_a + n_b, n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(twice_0, twice_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(twice_1, twice_1, n_b, n_c_right),
       n_c_cross = n_a_cross + n_b_cross, n_c_lo1 = n_c_left_rest + n_c_right_rest,
-      n_c_lo = n_c_lo1 + n_c_cross, n_d = twice_2 * twice_2, n_d_cross1 = twice_2_lo * twice_2,
-      n_d_cross2 = twice_2 * twice_2_lo, n_d_cross = n_d_cross1 + n_d_cross2, n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
+      n_c_lo = n_c_lo1 + n_c_cross, n_d = KSL_MUL(twice_2, twice_2),
+      n_d_cross1 = KSL_MUL(twice_2_lo, twice_2), n_d_cross2 = KSL_MUL(twice_2, twice_2_lo),
+      n_d_cross = n_d_cross1 + n_d_cross2, n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(twice_2, twice_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo2 = n_e_lo1 + n_d_cross,
       n_e_lo = n_e_lo2 + n_c_lo, n_of_n_e = n_e + n_e_lo, n_of_n_e_right = n_of_n_e - n_e,
       n_of_n_e_left = n_of_n_e - n_of_n_e_right, n_of_n_e_left_rest = n_e - n_of_n_e_left,
       n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -1233,36 +1259,40 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q1_0_of_divisor_left_rest = divisor - q1_0_of_divisor_left,
       q1_0_of_divisor_right_rest = divisor_lo - q1_0_of_divisor_right,
       q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + q1_0_of_divisor_right_rest,
-      q1_0 = q1_0_of_twice_0 / q1_0_of_divisor, q1_0_product = q1_0 * q1_0_of_divisor,
+      q1_0 = q1_0_of_twice_0 / q1_0_of_divisor, q1_0_product = KSL_MUL(q1_0, q1_0_of_divisor),
       q1_0_product_error = ksl_product_error(q1_0, q1_0_of_divisor, q1_0_product),
       q1_0_rest = q1_0_of_twice_0 - q1_0_product, q1_0_exact = q1_0_rest - q1_0_product_error,
-      q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo, q1_0_cross = q1_0 * q1_0_of_divisor_lo,
-      q1_0_residual = q1_0_numerator - q1_0_cross, q1_0_lo = q1_0_residual / q1_0_of_divisor;
+      q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo,
+      q1_0_cross = KSL_MUL(q1_0, q1_0_of_divisor_lo), q1_0_residual = q1_0_numerator - q1_0_cross,
+      q1_0_lo = q1_0_residual / q1_0_of_divisor;
   const double q1_1_of_twice_1 = twice_1 + twice_1_lo,
       q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1,
       q1_1_of_twice_1_left = q1_1_of_twice_1 - q1_1_of_twice_1_right,
       q1_1_of_twice_1_left_rest = twice_1 - q1_1_of_twice_1_left,
       q1_1_of_twice_1_right_rest = twice_1_lo - q1_1_of_twice_1_right,
       q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + q1_1_of_twice_1_right_rest,
-      q1_1 = q1_1_of_twice_1 / q1_0_of_divisor, q1_1_product = q1_1 * q1_0_of_divisor,
+      q1_1 = q1_1_of_twice_1 / q1_0_of_divisor, q1_1_product = KSL_MUL(q1_1, q1_0_of_divisor),
       q1_1_product_error = ksl_product_error(q1_1, q1_0_of_divisor, q1_1_product),
       q1_1_rest = q1_1_of_twice_1 - q1_1_product, q1_1_exact = q1_1_rest - q1_1_product_error,
-      q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo, q1_1_cross = q1_1 * q1_0_of_divisor_lo,
-      q1_1_residual = q1_1_numerator - q1_1_cross, q1_1_lo = q1_1_residual / q1_0_of_divisor;
+      q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo,
+      q1_1_cross = KSL_MUL(q1_1, q1_0_of_divisor_lo), q1_1_residual = q1_1_numerator - q1_1_cross,
+      q1_1_lo = q1_1_residual / q1_0_of_divisor;
   const double q1_2_of_twice_2 = twice_2 + twice_2_lo,
       q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2,
       q1_2_of_twice_2_left = q1_2_of_twice_2 - q1_2_of_twice_2_right,
       q1_2_of_twice_2_left_rest = twice_2 - q1_2_of_twice_2_left,
       q1_2_of_twice_2_right_rest = twice_2_lo - q1_2_of_twice_2_right,
       q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + q1_2_of_twice_2_right_rest,
-      q1_2 = q1_2_of_twice_2 / q1_0_of_divisor, q1_2_product = q1_2 * q1_0_of_divisor,
+      q1_2 = q1_2_of_twice_2 / q1_0_of_divisor, q1_2_product = KSL_MUL(q1_2, q1_0_of_divisor),
       q1_2_product_error = ksl_product_error(q1_2, q1_0_of_divisor, q1_2_product),
       q1_2_rest = q1_2_of_twice_2 - q1_2_product, q1_2_exact = q1_2_rest - q1_2_product_error,
-      q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo, q1_2_cross = q1_2 * q1_0_of_divisor_lo,
-      q1_2_residual = q1_2_numerator - q1_2_cross, q1_2_lo = q1_2_residual / q1_0_of_divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0a_cross1 = q0_1_lo * q1_2,
-      normal_0a_cross2 = q0_1 * q1_2_lo, normal_0a_cross = normal_0a_cross1 + normal_0a_cross2,
-      normal_0b = q0_2 * q1_1, normal_0b_cross1 = q0_2_lo * q1_1, normal_0b_cross2 = q0_2 * q1_1_lo,
+      q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo,
+      q1_2_cross = KSL_MUL(q1_2, q1_0_of_divisor_lo), q1_2_residual = q1_2_numerator - q1_2_cross,
+      q1_2_lo = q1_2_residual / q1_0_of_divisor;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0a_cross1 = KSL_MUL(q0_1_lo, q1_2),
+      normal_0a_cross2 = KSL_MUL(q0_1, q1_2_lo),
+      normal_0a_cross = normal_0a_cross1 + normal_0a_cross2, normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0b_cross1 = KSL_MUL(q0_2_lo, q1_1), normal_0b_cross2 = KSL_MUL(q0_2, q1_1_lo),
       normal_0b_cross = normal_0b_cross1 + normal_0b_cross2, normal_0 = normal_0a - normal_0b,
       normal_0_right = normal_0a - normal_0, normal_0_left = normal_0 + normal_0_right,
       normal_0_left_rest = ksl_product_rest(q0_1, q1_2, normal_0a, normal_0_left),
@@ -1270,9 +1300,10 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       normal_0_cross = normal_0a_cross - normal_0b_cross,
       normal_0_lo1 = normal_0_left_rest - normal_0_right_rest,
       normal_0_lo = normal_0_lo1 + normal_0_cross;
-  const double normal_1a = q0_2 * q1_0, normal_1a_cross1 = q0_2_lo * q1_0,
-      normal_1a_cross2 = q0_2 * q1_0_lo, normal_1a_cross = normal_1a_cross1 + normal_1a_cross2,
-      normal_1b = q0_0 * q1_2, normal_1b_cross1 = q0_0_lo * q1_2, normal_1b_cross2 = q0_0 * q1_2_lo,
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1a_cross1 = KSL_MUL(q0_2_lo, q1_0),
+      normal_1a_cross2 = KSL_MUL(q0_2, q1_0_lo),
+      normal_1a_cross = normal_1a_cross1 + normal_1a_cross2, normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1b_cross1 = KSL_MUL(q0_0_lo, q1_2), normal_1b_cross2 = KSL_MUL(q0_0, q1_2_lo),
       normal_1b_cross = normal_1b_cross1 + normal_1b_cross2, normal_1 = normal_1a - normal_1b,
       normal_1_right = normal_1a - normal_1, normal_1_left = normal_1 + normal_1_right,
       normal_1_left_rest = ksl_product_rest(q0_2, q1_0, normal_1a, normal_1_left),
@@ -1280,9 +1311,10 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       normal_1_cross = normal_1a_cross - normal_1b_cross,
       normal_1_lo1 = normal_1_left_rest - normal_1_right_rest,
       normal_1_lo = normal_1_lo1 + normal_1_cross;
-  const double normal_2a = q0_0 * q1_1, normal_2a_cross1 = q0_0_lo * q1_1,
-      normal_2a_cross2 = q0_0 * q1_1_lo, normal_2a_cross = normal_2a_cross1 + normal_2a_cross2,
-      normal_2b = q0_1 * q1_0, normal_2b_cross1 = q0_1_lo * q1_0, normal_2b_cross2 = q0_1 * q1_0_lo,
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2a_cross1 = KSL_MUL(q0_0_lo, q1_1),
+      normal_2a_cross2 = KSL_MUL(q0_0, q1_1_lo),
+      normal_2a_cross = normal_2a_cross1 + normal_2a_cross2, normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2b_cross1 = KSL_MUL(q0_1_lo, q1_0), normal_2b_cross2 = KSL_MUL(q0_1, q1_0_lo),
       normal_2b_cross = normal_2b_cross1 + normal_2b_cross2, normal_2 = normal_2a - normal_2b,
       normal_2_right = normal_2a - normal_2, normal_2_left = normal_2 + normal_2_right,
       normal_2_left_rest = ksl_product_rest(q0_0, q1_1, normal_2a, normal_2_left),
@@ -1298,16 +1330,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u2_s_b = 6.703903964971299e+153 < u2_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.3093562431584567e+151 : u2_s_b,
       u2_s = u2_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : u2_s_d;
-  const double u2_y_0 = R->m20 * u2_s;
-  const double u2_y_1 = R->m21 * u2_s;
-  const double u2_y_2 = R->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL(R->m20, u2_s);
+  const double u2_y_1 = KSL_MUL(R->m21, u2_s);
+  const double u2_y_2 = KSL_MUL(R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_c_right = u2_n_c - u2_n_a, u2_n_c_left = u2_n_c - u2_n_c_right,
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_c_right = u2_n_c - u2_n_a, u2_n_c_left = u2_n_c - u2_n_c_right,
       u2_n_c_left_rest = ksl_product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c_left),
       u2_n_c_right_rest = ksl_product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right),
-      u2_n_c_lo = u2_n_c_left_rest + u2_n_c_right_rest, u2_n_d = u2_y_2 * u2_y_2,
+      u2_n_c_lo = u2_n_c_left_rest + u2_n_c_right_rest, u2_n_d = KSL_MUL(u2_y_2, u2_y_2),
       u2_n_e = u2_n_c + u2_n_d, u2_n_e_right = u2_n_e - u2_n_c, u2_n_e_left = u2_n_e - u2_n_e_right,
       u2_n_e_left_rest = u2_n_c - u2_n_e_left,
       u2_n_e_right_rest = ksl_product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right),
@@ -1317,7 +1349,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_n_of_u2_n_e_left_rest = u2_n_e - u2_n_of_u2_n_e_left,
       u2_n_of_u2_n_e_right_rest = u2_n_e_lo - u2_n_of_u2_n_e_right,
       u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + u2_n_of_u2_n_e_right_rest,
-      u2_n = sqrt(u2_n_of_u2_n_e), u2_n_product = u2_n * u2_n,
+      u2_n = sqrt(u2_n_of_u2_n_e), u2_n_product = KSL_MUL(u2_n, u2_n),
       u2_n_product_error = ksl_product_error(u2_n, u2_n, u2_n_product),
       u2_n_rest = u2_n_of_u2_n_e - u2_n_product, u2_n_exact = u2_n_rest - u2_n_product_error,
       u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo, u2_n_twice = u2_n + u2_n,
@@ -1330,9 +1362,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
       u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
       u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
-  const double u2_enlarged_0 = R->m20 * u2_up;
-  const double u2_enlarged_1 = R->m21 * u2_up;
-  const double u2_enlarged_2 = R->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL(R->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL(R->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL(R->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
       u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
@@ -1340,27 +1372,27 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
       u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
       u2_quotient_0_rest = u2_enlarged_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
-      u2_quotient_0_cross = u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0_cross,
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
       u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
       u2_quotient_1_rest = u2_enlarged_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
-      u2_quotient_1_cross = u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1_cross,
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor,
-      u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor,
+      u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
       u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
       u2_quotient_2_rest = u2_enlarged_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
-      u2_quotient_2_cross = u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo,
+      u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
       u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor;
   const double u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo,
@@ -1369,9 +1401,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left,
       u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right,
       u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
-      u2_0 = u2_0_of_u2_quotient_0 * u2_down, u2_0_inverse = 1.0 / u2_down,
-      u2_0_back = u2_0 * u2_0_inverse, u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
-      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = u2_0_rest * u2_down,
+      u2_0 = KSL_MUL(u2_0_of_u2_quotient_0, u2_down), u2_0_inverse = 1.0 / u2_down,
+      u2_0_back = KSL_MUL(u2_0, u2_0_inverse), u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = KSL_MUL(u2_0_rest, u2_down),
       u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
       u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
@@ -1379,9 +1411,9 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left,
       u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right,
       u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
-      u2_1 = u2_1_of_u2_quotient_1 * u2_down, u2_1_back = u2_1 * u2_0_inverse,
+      u2_1 = KSL_MUL(u2_1_of_u2_quotient_1, u2_down), u2_1_back = KSL_MUL(u2_1, u2_0_inverse),
       u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
-      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = u2_1_rest * u2_down,
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = KSL_MUL(u2_1_rest, u2_down),
       u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
       u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
@@ -1389,20 +1421,20 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left,
       u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right,
       u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
-      u2_2 = u2_2_of_u2_quotient_2 * u2_down, u2_2_back = u2_2 * u2_0_inverse,
+      u2_2 = KSL_MUL(u2_2_of_u2_quotient_2, u2_down), u2_2_back = KSL_MUL(u2_2, u2_0_inverse),
       u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
-      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = u2_2_rest * u2_down,
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = KSL_MUL(u2_2_rest, u2_down),
       u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
-  const double side_a = normal_0 * u2_0, side_a_cross1 = normal_0_lo * u2_0,
-      side_a_cross2 = normal_0 * u2_0_lo, side_a_cross = side_a_cross1 + side_a_cross2,
-      side_b = normal_1 * u2_1, side_b_cross1 = normal_1_lo * u2_1,
-      side_b_cross2 = normal_1 * u2_1_lo, side_b_cross = side_b_cross1 + side_b_cross2,
+  const double side_a = KSL_MUL(normal_0, u2_0), side_a_cross1 = KSL_MUL(normal_0_lo, u2_0),
+      side_a_cross2 = KSL_MUL(normal_0, u2_0_lo), side_a_cross = side_a_cross1 + side_a_cross2,
+      side_b = KSL_MUL(normal_1, u2_1), side_b_cross1 = KSL_MUL(normal_1_lo, u2_1),
+      side_b_cross2 = KSL_MUL(normal_1, u2_1_lo), side_b_cross = side_b_cross1 + side_b_cross2,
       side_c = side_a + side_b, side_c_right = side_c - side_a, side_c_left = side_c - side_c_right,
       side_c_left_rest = ksl_product_rest(normal_0, u2_0, side_a, side_c_left),
       side_c_right_rest = ksl_product_rest(normal_1, u2_1, side_b, side_c_right),
       side_c_cross = side_a_cross + side_b_cross, side_c_lo1 = side_c_left_rest + side_c_right_rest,
-      side_c_lo = side_c_lo1 + side_c_cross, side_d = normal_2 * u2_2,
-      side_d_cross1 = normal_2_lo * u2_2, side_d_cross2 = normal_2 * u2_2_lo,
+      side_c_lo = side_c_lo1 + side_c_cross, side_d = KSL_MUL(normal_2, u2_2),
+      side_d_cross1 = KSL_MUL(normal_2_lo, u2_2), side_d_cross2 = KSL_MUL(normal_2, u2_2_lo),
       side_d_cross = side_d_cross1 + side_d_cross2, side = side_c + side_d,
       side_right = side - side_c, side_left = side - side_right,
       side_left_rest = side_c - side_left,
@@ -1492,24 +1524,30 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
       versine_left = versine + versine_right, versine_left_rest = 1.0 - versine_left,
       versine_right_rest = dc[1] - versine_right,
       versine_lo = versine_left_rest - versine_right_rest;
-  const double versine_axis_0 = axis->x * versine, versine_axis_0_cross2 = axis->x * versine_lo;
-  const double versine_axis_1 = axis->y * versine, versine_axis_1_cross2 = axis->y * versine_lo;
-  const double versine_axis_2 = axis->z * versine, versine_axis_2_cross2 = axis->z * versine_lo;
+  const double versine_axis_0 = KSL_MUL(axis->x, versine),
+      versine_axis_0_cross2 = KSL_MUL(axis->x, versine_lo);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine),
+      versine_axis_1_cross2 = KSL_MUL(axis->y, versine_lo);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine),
+      versine_axis_2_cross2 = KSL_MUL(axis->z, versine_lo);
   const double versine_axis_0_error = ksl_product_error(axis->x, versine, versine_axis_0),
       versine_axis_0_lo = versine_axis_0_error + versine_axis_0_cross2,
-      m_0 = axis->x * versine_axis_0, m_0_cross2 = axis->x * versine_axis_0_lo;
+      m_0 = KSL_MUL(axis->x, versine_axis_0), m_0_cross2 = KSL_MUL(axis->x, versine_axis_0_lo);
   const double versine_axis_1_error = ksl_product_error(axis->y, versine, versine_axis_1),
       versine_axis_1_lo = versine_axis_1_error + versine_axis_1_cross2,
-      m_1 = axis->y * versine_axis_1, m_1_cross2 = axis->y * versine_axis_1_lo;
+      m_1 = KSL_MUL(axis->y, versine_axis_1), m_1_cross2 = KSL_MUL(axis->y, versine_axis_1_lo);
   const double versine_axis_2_error = ksl_product_error(axis->z, versine, versine_axis_2),
       versine_axis_2_lo = versine_axis_2_error + versine_axis_2_cross2,
-      m_2 = axis->z * versine_axis_2, m_2_cross2 = axis->z * versine_axis_2_lo;
-  const double m_3 = axis->y * versine_axis_0, m_3_cross2 = axis->y * versine_axis_0_lo;
-  const double m_4 = axis->z * versine_axis_0, m_4_cross2 = axis->z * versine_axis_0_lo;
-  const double m_5 = axis->z * versine_axis_1, m_5_cross2 = axis->z * versine_axis_1_lo;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+      m_2 = KSL_MUL(axis->z, versine_axis_2), m_2_cross2 = KSL_MUL(axis->z, versine_axis_2_lo);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0),
+      m_3_cross2 = KSL_MUL(axis->y, versine_axis_0_lo);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0),
+      m_4_cross2 = KSL_MUL(axis->z, versine_axis_0_lo);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1),
+      m_5_cross2 = KSL_MUL(axis->z, versine_axis_1_lo);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = dc[1] + m_0, R_00_right = R_00 - dc[1], R_00_left = R_00 - R_00_right,
       R_00_left_rest = dc[1] - R_00_left,
       R_00_right_rest = ksl_product_rest(axis->x, versine_axis_0, m_0, R_00_right),
@@ -1574,16 +1612,18 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
-  const double n_a = R->m00 * R->m00, n_b = R->m01 * R->m01, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(R->m00, R->m00, n_a, n_c_left),
+  const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(R->m00, R->m00, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(R->m01, R->m01, n_b, n_c_right),
       n_c_lo = n_c_left_rest + n_c_right_rest, n_of_n_c = n_c + n_c_lo,
       n_of_n_c_right = n_of_n_c - n_c, n_of_n_c_left = n_of_n_c - n_of_n_c_right,
       n_of_n_c_left_rest = n_c - n_of_n_c_left, n_of_n_c_right_rest = n_c_lo - n_of_n_c_right,
-      n_of_n_c_lo = n_of_n_c_left_rest + n_of_n_c_right_rest, n = sqrt(n_of_n_c), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_c_lo = n_of_n_c_left_rest + n_of_n_c_right_rest, n = sqrt(n_of_n_c),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_c - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_c_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -1597,33 +1637,36 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_of_divisor_left_rest = divisor - cosine_a_of_divisor_left,
       cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right,
       cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest,
-      cosine_a = R->m00 / cosine_a_of_divisor, cosine_a_product = cosine_a * cosine_a_of_divisor,
+      cosine_a = R->m00 / cosine_a_of_divisor,
+      cosine_a_product = KSL_MUL(cosine_a, cosine_a_of_divisor),
       cosine_a_product_error = ksl_product_error(cosine_a, cosine_a_of_divisor, cosine_a_product),
       cosine_a_rest = R->m00 - cosine_a_product,
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
-      cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
+      cosine_a_cross = KSL_MUL(cosine_a, cosine_a_of_divisor_lo),
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
       cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
       cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
       cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
   const double sine_a = -R->m01, sine = sine_a / cosine_a_of_divisor,
-      sine_product = sine * cosine_a_of_divisor,
+      sine_product = KSL_MUL(sine, cosine_a_of_divisor),
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
       sine_rest = sine_a - sine_product, sine_exact = sine_rest - sine_product_error,
-      sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
+      sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(sine_a, R->m00);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
-  const double left_1a = R->m10 * sine, left_1a_cross2 = R->m10 * sine_lo,
-      left_1b = R->m11 * cosine, left_1b_cross2 = R->m11 * cosine_lo, left_1 = left_1a + left_1b,
-      left_1_right = left_1 - left_1a, left_1_left = left_1 - left_1_right,
+  const double left_1a = KSL_MUL(R->m10, sine), left_1a_cross2 = KSL_MUL(R->m10, sine_lo),
+      left_1b = KSL_MUL(R->m11, cosine), left_1b_cross2 = KSL_MUL(R->m11, cosine_lo),
+      left_1 = left_1a + left_1b, left_1_right = left_1 - left_1a,
+      left_1_left = left_1 - left_1_right,
       left_1_left_rest = ksl_product_rest(R->m10, sine, left_1a, left_1_left),
       left_1_right_rest = ksl_product_rest(R->m11, cosine, left_1b, left_1_right),
       left_1_cross = left_1a_cross2 + left_1b_cross2,
       left_1_lo1 = left_1_left_rest + left_1_right_rest, left_1_lo = left_1_lo1 + left_1_cross;
-  const double left_2a = R->m20 * sine, left_2a_cross2 = R->m20 * sine_lo,
-      left_2b = R->m21 * cosine, left_2b_cross2 = R->m21 * cosine_lo, left_2 = left_2a + left_2b,
-      left_2_right = left_2 - left_2a, left_2_left = left_2 - left_2_right,
+  const double left_2a = KSL_MUL(R->m20, sine), left_2a_cross2 = KSL_MUL(R->m20, sine_lo),
+      left_2b = KSL_MUL(R->m21, cosine), left_2b_cross2 = KSL_MUL(R->m21, cosine_lo),
+      left_2 = left_2a + left_2b, left_2_right = left_2 - left_2a,
+      left_2_left = left_2 - left_2_right,
       left_2_left_rest = ksl_product_rest(R->m20, sine, left_2a, left_2_left),
       left_2_right_rest = ksl_product_rest(R->m21, cosine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 + left_2b_cross2,
@@ -1646,13 +1689,13 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
       angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
       angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo,
-      angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo,
-      angles_0_square1 = angles_0_part1 * angles_0_part1,
-      angles_0_square2 = angles_0_part0 * angles_0_part0,
+      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
+      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
+      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
+      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
       angles_0_cross = angles_0_cross1 - angles_0_cross2,
       angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = angles_0_divisor * angles_0_square,
+      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
   const double angles_1 = atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
@@ -1660,13 +1703,14 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
       angles_1_part0 = R->m02 / angles_1_divisor,
-      angles_1_part1 = divisor_a_of_n / angles_1_divisor, angles_1_cross1 = angles_1_part1 * 0.0,
-      angles_1_cross2 = angles_1_part0 * divisor_a_of_n_lo,
-      angles_1_square1 = angles_1_part1 * angles_1_part1,
-      angles_1_square2 = angles_1_part0 * angles_1_part0,
+      angles_1_part1 = divisor_a_of_n / angles_1_divisor,
+      angles_1_cross1 = KSL_MUL(angles_1_part1, 0.0),
+      angles_1_cross2 = KSL_MUL(angles_1_part0, divisor_a_of_n_lo),
+      angles_1_square1 = KSL_MUL(angles_1_part1, angles_1_part1),
+      angles_1_square2 = KSL_MUL(angles_1_part0, angles_1_part0),
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
       angles_1_square = angles_1_square1 + angles_1_square2,
-      angles_1_divisor2 = angles_1_divisor * angles_1_square,
+      angles_1_divisor2 = KSL_MUL(angles_1_divisor, angles_1_square),
       angles_1_safe = angles_1_most == 0.0 ? 1.0 : angles_1_divisor2,
       angles_1_lo = angles_1_cross / angles_1_safe;
   const double angles_0_rounded = angles_0 + angles_0_lo,
@@ -1686,16 +1730,18 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
-  const double n_a = R->m01 * R->m01, n_b = R->m02 * R->m02, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(R->m01, R->m01, n_a, n_c_left),
+  const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(R->m01, R->m01, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(R->m02, R->m02, n_b, n_c_right),
       n_c_lo = n_c_left_rest + n_c_right_rest, n_of_n_c = n_c + n_c_lo,
       n_of_n_c_right = n_of_n_c - n_c, n_of_n_c_left = n_of_n_c - n_of_n_c_right,
       n_of_n_c_left_rest = n_c - n_of_n_c_left, n_of_n_c_right_rest = n_c_lo - n_of_n_c_right,
-      n_of_n_c_lo = n_of_n_c_left_rest + n_of_n_c_right_rest, n = sqrt(n_of_n_c), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_c - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_c_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_c_lo = n_of_n_c_left_rest + n_of_n_c_right_rest, n = sqrt(n_of_n_c),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_c - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_c_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -1709,32 +1755,36 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       cosine_a_of_divisor_left_rest = divisor - cosine_a_of_divisor_left,
       cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right,
       cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest,
-      cosine_a = R->m02 / cosine_a_of_divisor, cosine_a_product = cosine_a * cosine_a_of_divisor,
+      cosine_a = R->m02 / cosine_a_of_divisor,
+      cosine_a_product = KSL_MUL(cosine_a, cosine_a_of_divisor),
       cosine_a_product_error = ksl_product_error(cosine_a, cosine_a_of_divisor, cosine_a_product),
       cosine_a_rest = R->m02 - cosine_a_product,
       cosine_a_exact = cosine_a_rest - cosine_a_product_error,
-      cosine_a_cross = cosine_a * cosine_a_of_divisor_lo,
+      cosine_a_cross = KSL_MUL(cosine_a, cosine_a_of_divisor_lo),
       cosine_a_residual = cosine_a_exact - cosine_a_cross,
       cosine_a_lo = cosine_a_residual / cosine_a_of_divisor,
       cosine = divisor_a_of_n == 0.0 ? 1.0 : cosine_a,
       cosine_lo = divisor_a_of_n == 0.0 ? 0.0 : cosine_a_lo;
-  const double sine = R->m01 / cosine_a_of_divisor, sine_product = sine * cosine_a_of_divisor,
+  const double sine = R->m01 / cosine_a_of_divisor,
+      sine_product = KSL_MUL(sine, cosine_a_of_divisor),
       sine_product_error = ksl_product_error(sine, cosine_a_of_divisor, sine_product),
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
-      sine_cross = sine * cosine_a_of_divisor_lo, sine_residual = sine_exact - sine_cross,
+      sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
   const double polar = atan2(R->m01, R->m02);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
-  const double left_1a = R->m11 * cosine, left_1a_cross2 = R->m11 * cosine_lo,
-      left_1b = R->m12 * sine, left_1b_cross2 = R->m12 * sine_lo, left_1 = left_1a - left_1b,
-      left_1_right = left_1a - left_1, left_1_left = left_1 + left_1_right,
+  const double left_1a = KSL_MUL(R->m11, cosine), left_1a_cross2 = KSL_MUL(R->m11, cosine_lo),
+      left_1b = KSL_MUL(R->m12, sine), left_1b_cross2 = KSL_MUL(R->m12, sine_lo),
+      left_1 = left_1a - left_1b, left_1_right = left_1a - left_1,
+      left_1_left = left_1 + left_1_right,
       left_1_left_rest = ksl_product_rest(R->m11, cosine, left_1a, left_1_left),
       left_1_right_rest = ksl_product_rest(R->m12, sine, left_1b, left_1_right),
       left_1_cross = left_1a_cross2 - left_1b_cross2,
       left_1_lo1 = left_1_left_rest - left_1_right_rest, left_1_lo = left_1_lo1 + left_1_cross;
-  const double left_2a = R->m21 * cosine, left_2a_cross2 = R->m21 * cosine_lo,
-      left_2b = R->m22 * sine, left_2b_cross2 = R->m22 * sine_lo, left_2 = left_2a - left_2b,
-      left_2_right = left_2a - left_2, left_2_left = left_2 + left_2_right,
+  const double left_2a = KSL_MUL(R->m21, cosine), left_2a_cross2 = KSL_MUL(R->m21, cosine_lo),
+      left_2b = KSL_MUL(R->m22, sine), left_2b_cross2 = KSL_MUL(R->m22, sine_lo),
+      left_2 = left_2a - left_2b, left_2_right = left_2a - left_2,
+      left_2_left = left_2 + left_2_right,
       left_2_left_rest = ksl_product_rest(R->m21, cosine, left_2a, left_2_left),
       left_2_right_rest = ksl_product_rest(R->m22, sine, left_2b, left_2_right),
       left_2_cross = left_2a_cross2 - left_2b_cross2,
@@ -1757,13 +1807,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
       angles_0_part0 = angles_0_of_left_2 / angles_0_divisor,
       angles_0_part1 = angles_0_of_left_1 / angles_0_divisor,
-      angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo,
-      angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo,
-      angles_0_square1 = angles_0_part1 * angles_0_part1,
-      angles_0_square2 = angles_0_part0 * angles_0_part0,
+      angles_0_cross1 = KSL_MUL(angles_0_part1, angles_0_of_left_2_lo),
+      angles_0_cross2 = KSL_MUL(angles_0_part0, angles_0_of_left_1_lo),
+      angles_0_square1 = KSL_MUL(angles_0_part1, angles_0_part1),
+      angles_0_square2 = KSL_MUL(angles_0_part0, angles_0_part0),
       angles_0_cross = angles_0_cross1 - angles_0_cross2,
       angles_0_square = angles_0_square1 + angles_0_square2,
-      angles_0_divisor2 = angles_0_divisor * angles_0_square,
+      angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
   const double angles_1 = atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
@@ -1772,12 +1822,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
       angles_1_part0 = divisor_a_of_n / angles_1_divisor,
       angles_1_part1 = R->m00 / angles_1_divisor,
-      angles_1_cross1 = angles_1_part1 * divisor_a_of_n_lo, angles_1_cross2 = angles_1_part0 * 0.0,
-      angles_1_square1 = angles_1_part1 * angles_1_part1,
-      angles_1_square2 = angles_1_part0 * angles_1_part0,
+      angles_1_cross1 = KSL_MUL(angles_1_part1, divisor_a_of_n_lo),
+      angles_1_cross2 = KSL_MUL(angles_1_part0, 0.0),
+      angles_1_square1 = KSL_MUL(angles_1_part1, angles_1_part1),
+      angles_1_square2 = KSL_MUL(angles_1_part0, angles_1_part0),
       angles_1_cross = angles_1_cross1 - angles_1_cross2,
       angles_1_square = angles_1_square1 + angles_1_square2,
-      angles_1_divisor2 = angles_1_divisor * angles_1_square,
+      angles_1_divisor2 = KSL_MUL(angles_1_divisor, angles_1_square),
       angles_1_safe = angles_1_most == 0.0 ? 1.0 : angles_1_divisor2,
       angles_1_lo = angles_1_cross / angles_1_safe;
   const double angles_0_rounded = angles_0 + angles_0_lo,
@@ -1797,7 +1848,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
      equal, 18 select.
    |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
-  const double twice = 2.0 * A->m10;
+  const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
       apart_left = apart + apart_right, apart_left_rest = A->m11 - apart_left,
       apart_right_rest = A->m00 - apart_right, apart_lo = apart_left_rest - apart_right_rest;
@@ -1807,7 +1858,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       theta_of_apart_left_rest = apart - theta_of_apart_left,
       theta_of_apart_right_rest = apart_lo - theta_of_apart_right,
       theta_of_apart_lo = theta_of_apart_left_rest + theta_of_apart_right_rest,
-      theta = theta_of_apart / divisor, theta_product = theta * divisor,
+      theta = theta_of_apart / divisor, theta_product = KSL_MUL(theta, divisor),
       theta_product_error = ksl_product_error(theta, divisor, theta_product),
       theta_rest = theta_of_apart - theta_product, theta_exact = theta_rest - theta_product_error,
       theta_numerator = theta_exact + theta_of_apart_lo, theta_lo = theta_numerator / divisor;
@@ -1819,9 +1870,9 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       magnitude_of_theta_lo = magnitude_of_theta_left_rest + magnitude_of_theta_right_rest,
       magnitude = fabs(magnitude_of_theta), magnitude_opposite = -magnitude_of_theta_lo,
       magnitude_lo = magnitude_of_theta < 0.0 ? magnitude_opposite : magnitude_of_theta_lo;
-  const double size_a = magnitude_of_theta * magnitude_of_theta,
-      size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta,
-      size_a_cross2 = magnitude_of_theta * magnitude_of_theta_lo,
+  const double size_a = KSL_MUL(magnitude_of_theta, magnitude_of_theta),
+      size_a_cross1 = KSL_MUL(magnitude_of_theta_lo, magnitude_of_theta),
+      size_a_cross2 = KSL_MUL(magnitude_of_theta, magnitude_of_theta_lo),
       size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
       size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
@@ -1832,7 +1883,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_c_of_size_b_left_rest = size_b - size_c_of_size_b_left,
       size_c_of_size_b_right_rest = size_b_lo - size_c_of_size_b_right,
       size_c_of_size_b_lo = size_c_of_size_b_left_rest + size_c_of_size_b_right_rest,
-      size_c = sqrt(size_c_of_size_b), size_c_product = size_c * size_c,
+      size_c = sqrt(size_c_of_size_b), size_c_product = KSL_MUL(size_c, size_c),
       size_c_product_error = ksl_product_error(size_c, size_c, size_c_product),
       size_c_rest = size_c_of_size_b - size_c_product,
       size_c_exact = size_c_rest - size_c_product_error,
@@ -1851,16 +1902,16 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       t_a_of_along_left_rest = along - t_a_of_along_left,
       t_a_of_along_right_rest = along_lo - t_a_of_along_right,
       t_a_of_along_lo = t_a_of_along_left_rest + t_a_of_along_right_rest, t_a = 1.0 / t_a_of_along,
-      t_a_product = t_a * t_a_of_along,
+      t_a_product = KSL_MUL(t_a, t_a_of_along),
       t_a_product_error = ksl_product_error(t_a, t_a_of_along, t_a_product),
       t_a_rest = 1.0 - t_a_product, t_a_exact = t_a_rest - t_a_product_error,
-      t_a_cross = t_a * t_a_of_along_lo, t_a_residual = t_a_exact - t_a_cross,
+      t_a_cross = KSL_MUL(t_a, t_a_of_along_lo), t_a_residual = t_a_exact - t_a_cross,
       t_a_lo = t_a_residual / t_a_of_along, t = twice == 0.0 ? 0.0 : t_a,
       t_lo = twice == 0.0 ? 0.0 : t_a_lo;
-  const double secant_a = t * t, secant_a_cross1 = t_lo * t, secant_a_cross2 = t * t_lo,
-      secant_a_cross = secant_a_cross1 + secant_a_cross2, secant_b = 1.0 + secant_a,
-      secant_b_right = secant_b - 1.0, secant_b_left = secant_b - secant_b_right,
-      secant_b_left_rest = 1.0 - secant_b_left,
+  const double secant_a = KSL_MUL(t, t), secant_a_cross1 = KSL_MUL(t_lo, t),
+      secant_a_cross2 = KSL_MUL(t, t_lo), secant_a_cross = secant_a_cross1 + secant_a_cross2,
+      secant_b = 1.0 + secant_a, secant_b_right = secant_b - 1.0,
+      secant_b_left = secant_b - secant_b_right, secant_b_left_rest = 1.0 - secant_b_left,
       secant_b_right_rest = ksl_product_rest(t, t, secant_a, secant_b_right),
       secant_b_lo1 = secant_b_left_rest + secant_b_right_rest,
       secant_b_lo = secant_b_lo1 + secant_a_cross, secant_of_secant_b = secant_b + secant_b_lo,
@@ -1869,7 +1920,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       secant_of_secant_b_left_rest = secant_b - secant_of_secant_b_left,
       secant_of_secant_b_right_rest = secant_b_lo - secant_of_secant_b_right,
       secant_of_secant_b_lo = secant_of_secant_b_left_rest + secant_of_secant_b_right_rest,
-      secant = sqrt(secant_of_secant_b), secant_product = secant * secant,
+      secant = sqrt(secant_of_secant_b), secant_product = KSL_MUL(secant, secant),
       secant_product_error = ksl_product_error(secant, secant, secant_product),
       secant_rest = secant_of_secant_b - secant_product,
       secant_exact = secant_rest - secant_product_error,
@@ -1881,57 +1932,66 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       c_of_secant_left_rest = secant - c_of_secant_left,
       c_of_secant_right_rest = secant_lo - c_of_secant_right,
       c_of_secant_lo = c_of_secant_left_rest + c_of_secant_right_rest, c = 1.0 / c_of_secant,
-      c_product = c * c_of_secant, c_product_error = ksl_product_error(c, c_of_secant, c_product),
-      c_rest = 1.0 - c_product, c_exact = c_rest - c_product_error, c_cross = c * c_of_secant_lo,
+      c_product = KSL_MUL(c, c_of_secant),
+      c_product_error = ksl_product_error(c, c_of_secant, c_product), c_rest = 1.0 - c_product,
+      c_exact = c_rest - c_product_error, c_cross = KSL_MUL(c, c_of_secant_lo),
       c_residual = c_exact - c_cross, c_lo = c_residual / c_of_secant;
-  const double s = t * c, s_cross1 = t_lo * c, s_cross2 = t * c_lo, s_cross = s_cross1 + s_cross2;
-  const double change = A->m10 * t, change_cross2 = A->m10 * t_lo;
-  const double zp_a = A->m20 * c, zp_a_cross2 = A->m20 * c_lo, s_error = ksl_product_error(t, c, s),
-      s_lo = s_error + s_cross, zp_b = A->m21 * s, zp_b_cross2 = A->m21 * s_lo, zp = zp_a - zp_b,
-      zp_right = zp_a - zp, zp_left = zp + zp_right,
-      zp_left_rest = ksl_product_rest(A->m20, c, zp_a, zp_left),
+  const double s = KSL_MUL(t, c), s_cross1 = KSL_MUL(t_lo, c), s_cross2 = KSL_MUL(t, c_lo),
+      s_cross = s_cross1 + s_cross2;
+  const double change = KSL_MUL(A->m10, t), change_cross2 = KSL_MUL(A->m10, t_lo);
+  const double zp_a = KSL_MUL(A->m20, c), zp_a_cross2 = KSL_MUL(A->m20, c_lo),
+      s_error = ksl_product_error(t, c, s), s_lo = s_error + s_cross, zp_b = KSL_MUL(A->m21, s),
+      zp_b_cross2 = KSL_MUL(A->m21, s_lo), zp = zp_a - zp_b, zp_right = zp_a - zp,
+      zp_left = zp + zp_right, zp_left_rest = ksl_product_rest(A->m20, c, zp_a, zp_left),
       zp_right_rest = ksl_product_rest(A->m21, s, zp_b, zp_right),
       zp_cross = zp_a_cross2 - zp_b_cross2, zp_lo1 = zp_left_rest - zp_right_rest,
       zp_lo = zp_lo1 + zp_cross;
-  const double zq_a = A->m20 * s, zq_a_cross2 = A->m20 * s_lo, zq_b = A->m21 * c,
-      zq_b_cross2 = A->m21 * c_lo, zq = zq_a + zq_b, zq_right = zq - zq_a, zq_left = zq - zq_right,
+  const double zq_a = KSL_MUL(A->m20, s), zq_a_cross2 = KSL_MUL(A->m20, s_lo),
+      zq_b = KSL_MUL(A->m21, c), zq_b_cross2 = KSL_MUL(A->m21, c_lo), zq = zq_a + zq_b,
+      zq_right = zq - zq_a, zq_left = zq - zq_right,
       zq_left_rest = ksl_product_rest(A->m20, s, zq_a, zq_left),
       zq_right_rest = ksl_product_rest(A->m21, c, zq_b, zq_right),
       zq_cross = zq_a_cross2 + zq_b_cross2, zq_lo1 = zq_left_rest + zq_right_rest,
       zq_lo = zq_lo1 + zq_cross;
-  const double vp_0a = V->m00 * c, vp_0a_cross2 = V->m00 * c_lo, vp_0b = V->m01 * s,
-      vp_0b_cross2 = V->m01 * s_lo, vp_0 = vp_0a - vp_0b, vp_0_right = vp_0a - vp_0,
-      vp_0_left = vp_0 + vp_0_right, vp_0_left_rest = ksl_product_rest(V->m00, c, vp_0a, vp_0_left),
+  const double vp_0a = KSL_MUL(V->m00, c), vp_0a_cross2 = KSL_MUL(V->m00, c_lo),
+      vp_0b = KSL_MUL(V->m01, s), vp_0b_cross2 = KSL_MUL(V->m01, s_lo), vp_0 = vp_0a - vp_0b,
+      vp_0_right = vp_0a - vp_0, vp_0_left = vp_0 + vp_0_right,
+      vp_0_left_rest = ksl_product_rest(V->m00, c, vp_0a, vp_0_left),
       vp_0_right_rest = ksl_product_rest(V->m01, s, vp_0b, vp_0_right),
       vp_0_cross = vp_0a_cross2 - vp_0b_cross2, vp_0_lo1 = vp_0_left_rest - vp_0_right_rest,
       vp_0_lo = vp_0_lo1 + vp_0_cross;
-  const double vp_1a = V->m10 * c, vp_1a_cross2 = V->m10 * c_lo, vp_1b = V->m11 * s,
-      vp_1b_cross2 = V->m11 * s_lo, vp_1 = vp_1a - vp_1b, vp_1_right = vp_1a - vp_1,
-      vp_1_left = vp_1 + vp_1_right, vp_1_left_rest = ksl_product_rest(V->m10, c, vp_1a, vp_1_left),
+  const double vp_1a = KSL_MUL(V->m10, c), vp_1a_cross2 = KSL_MUL(V->m10, c_lo),
+      vp_1b = KSL_MUL(V->m11, s), vp_1b_cross2 = KSL_MUL(V->m11, s_lo), vp_1 = vp_1a - vp_1b,
+      vp_1_right = vp_1a - vp_1, vp_1_left = vp_1 + vp_1_right,
+      vp_1_left_rest = ksl_product_rest(V->m10, c, vp_1a, vp_1_left),
       vp_1_right_rest = ksl_product_rest(V->m11, s, vp_1b, vp_1_right),
       vp_1_cross = vp_1a_cross2 - vp_1b_cross2, vp_1_lo1 = vp_1_left_rest - vp_1_right_rest,
       vp_1_lo = vp_1_lo1 + vp_1_cross;
-  const double vp_2a = V->m20 * c, vp_2a_cross2 = V->m20 * c_lo, vp_2b = V->m21 * s,
-      vp_2b_cross2 = V->m21 * s_lo, vp_2 = vp_2a - vp_2b, vp_2_right = vp_2a - vp_2,
-      vp_2_left = vp_2 + vp_2_right, vp_2_left_rest = ksl_product_rest(V->m20, c, vp_2a, vp_2_left),
+  const double vp_2a = KSL_MUL(V->m20, c), vp_2a_cross2 = KSL_MUL(V->m20, c_lo),
+      vp_2b = KSL_MUL(V->m21, s), vp_2b_cross2 = KSL_MUL(V->m21, s_lo), vp_2 = vp_2a - vp_2b,
+      vp_2_right = vp_2a - vp_2, vp_2_left = vp_2 + vp_2_right,
+      vp_2_left_rest = ksl_product_rest(V->m20, c, vp_2a, vp_2_left),
       vp_2_right_rest = ksl_product_rest(V->m21, s, vp_2b, vp_2_right),
       vp_2_cross = vp_2a_cross2 - vp_2b_cross2, vp_2_lo1 = vp_2_left_rest - vp_2_right_rest,
       vp_2_lo = vp_2_lo1 + vp_2_cross;
-  const double vq_0a = V->m00 * s, vq_0a_cross2 = V->m00 * s_lo, vq_0b = V->m01 * c,
-      vq_0b_cross2 = V->m01 * c_lo, vq_0 = vq_0a + vq_0b, vq_0_right = vq_0 - vq_0a,
-      vq_0_left = vq_0 - vq_0_right, vq_0_left_rest = ksl_product_rest(V->m00, s, vq_0a, vq_0_left),
+  const double vq_0a = KSL_MUL(V->m00, s), vq_0a_cross2 = KSL_MUL(V->m00, s_lo),
+      vq_0b = KSL_MUL(V->m01, c), vq_0b_cross2 = KSL_MUL(V->m01, c_lo), vq_0 = vq_0a + vq_0b,
+      vq_0_right = vq_0 - vq_0a, vq_0_left = vq_0 - vq_0_right,
+      vq_0_left_rest = ksl_product_rest(V->m00, s, vq_0a, vq_0_left),
       vq_0_right_rest = ksl_product_rest(V->m01, c, vq_0b, vq_0_right),
       vq_0_cross = vq_0a_cross2 + vq_0b_cross2, vq_0_lo1 = vq_0_left_rest + vq_0_right_rest,
       vq_0_lo = vq_0_lo1 + vq_0_cross;
-  const double vq_1a = V->m10 * s, vq_1a_cross2 = V->m10 * s_lo, vq_1b = V->m11 * c,
-      vq_1b_cross2 = V->m11 * c_lo, vq_1 = vq_1a + vq_1b, vq_1_right = vq_1 - vq_1a,
-      vq_1_left = vq_1 - vq_1_right, vq_1_left_rest = ksl_product_rest(V->m10, s, vq_1a, vq_1_left),
+  const double vq_1a = KSL_MUL(V->m10, s), vq_1a_cross2 = KSL_MUL(V->m10, s_lo),
+      vq_1b = KSL_MUL(V->m11, c), vq_1b_cross2 = KSL_MUL(V->m11, c_lo), vq_1 = vq_1a + vq_1b,
+      vq_1_right = vq_1 - vq_1a, vq_1_left = vq_1 - vq_1_right,
+      vq_1_left_rest = ksl_product_rest(V->m10, s, vq_1a, vq_1_left),
       vq_1_right_rest = ksl_product_rest(V->m11, c, vq_1b, vq_1_right),
       vq_1_cross = vq_1a_cross2 + vq_1b_cross2, vq_1_lo1 = vq_1_left_rest + vq_1_right_rest,
       vq_1_lo = vq_1_lo1 + vq_1_cross;
-  const double vq_2a = V->m20 * s, vq_2a_cross2 = V->m20 * s_lo, vq_2b = V->m21 * c,
-      vq_2b_cross2 = V->m21 * c_lo, vq_2 = vq_2a + vq_2b, vq_2_right = vq_2 - vq_2a,
-      vq_2_left = vq_2 - vq_2_right, vq_2_left_rest = ksl_product_rest(V->m20, s, vq_2a, vq_2_left),
+  const double vq_2a = KSL_MUL(V->m20, s), vq_2a_cross2 = KSL_MUL(V->m20, s_lo),
+      vq_2b = KSL_MUL(V->m21, c), vq_2b_cross2 = KSL_MUL(V->m21, c_lo), vq_2 = vq_2a + vq_2b,
+      vq_2_right = vq_2 - vq_2a, vq_2_left = vq_2 - vq_2_right,
+      vq_2_left_rest = ksl_product_rest(V->m20, s, vq_2a, vq_2_left),
       vq_2_right_rest = ksl_product_rest(V->m21, c, vq_2b, vq_2_right),
       vq_2_cross = vq_2a_cross2 + vq_2b_cross2, vq_2_lo1 = vq_2_left_rest + vq_2_right_rest,
       vq_2_lo = vq_2_lo1 + vq_2_cross;
@@ -2137,30 +2197,30 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = v_s_size_0_of_upper_0 * v_s, v_y_0_inverse = 1.0 / v_s,
-      v_y_0_back = v_y_0 * v_y_0_inverse, v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
-      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = v_y_0_rest * v_s,
+  const double v_y_0 = KSL_MUL(v_s_size_0_of_upper_0, v_s), v_y_0_inverse = 1.0 / v_s,
+      v_y_0_back = KSL_MUL(v_y_0, v_y_0_inverse), v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = KSL_MUL(v_y_0_rest, v_s),
       v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
-  const double v_y_1 = v_s_size_1_of_upper_1 * v_s, v_y_1_back = v_y_1 * v_y_0_inverse,
-      v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
-      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = v_y_1_rest * v_s,
+  const double v_y_1 = KSL_MUL(v_s_size_1_of_upper_1, v_s),
+      v_y_1_back = KSL_MUL(v_y_1, v_y_0_inverse), v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = KSL_MUL(v_y_1_rest, v_s),
       v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
-  const double v_y_2 = v_s_size_2_of_upper_2 * v_s, v_y_2_back = v_y_2 * v_y_0_inverse,
-      v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
-      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = v_y_2_rest * v_s,
+  const double v_y_2 = KSL_MUL(v_s_size_2_of_upper_2, v_s),
+      v_y_2_back = KSL_MUL(v_y_2, v_y_0_inverse), v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = KSL_MUL(v_y_2_rest, v_s),
       v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
-  const double v_n_a = v_y_0 * v_y_0, v_n_a_cross1 = v_y_0_lo * v_y_0,
-      v_n_a_cross2 = v_y_0 * v_y_0_lo, v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
-      v_n_b = v_y_1 * v_y_1, v_n_b_cross1 = v_y_1_lo * v_y_1, v_n_b_cross2 = v_y_1 * v_y_1_lo,
-      v_n_b_cross = v_n_b_cross1 + v_n_b_cross2, v_n_c = v_n_a + v_n_b, v_n_c_right = v_n_c - v_n_a,
-      v_n_c_left = v_n_c - v_n_c_right,
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_a_cross1 = KSL_MUL(v_y_0_lo, v_y_0),
+      v_n_a_cross2 = KSL_MUL(v_y_0, v_y_0_lo), v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
+      v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_b_cross1 = KSL_MUL(v_y_1_lo, v_y_1),
+      v_n_b_cross2 = KSL_MUL(v_y_1, v_y_1_lo), v_n_b_cross = v_n_b_cross1 + v_n_b_cross2,
+      v_n_c = v_n_a + v_n_b, v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
       v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
       v_n_c_cross = v_n_a_cross + v_n_b_cross, v_n_c_lo1 = v_n_c_left_rest + v_n_c_right_rest,
-      v_n_c_lo = v_n_c_lo1 + v_n_c_cross, v_n_d = v_y_2 * v_y_2, v_n_d_cross1 = v_y_2_lo * v_y_2,
-      v_n_d_cross2 = v_y_2 * v_y_2_lo, v_n_d_cross = v_n_d_cross1 + v_n_d_cross2,
-      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
-      v_n_e_left_rest = v_n_c - v_n_e_left,
+      v_n_c_lo = v_n_c_lo1 + v_n_c_cross, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_d_cross1 = KSL_MUL(v_y_2_lo, v_y_2), v_n_d_cross2 = KSL_MUL(v_y_2, v_y_2_lo),
+      v_n_d_cross = v_n_d_cross1 + v_n_d_cross2, v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c,
+      v_n_e_left = v_n_e - v_n_e_right, v_n_e_left_rest = v_n_c - v_n_e_left,
       v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
       v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo2 = v_n_e_lo1 + v_n_d_cross,
       v_n_e_lo = v_n_e_lo2 + v_n_c_lo, v_n_of_v_n_e = v_n_e + v_n_e_lo,
@@ -2169,7 +2229,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
       v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
       v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_product = KSL_MUL(v_n, v_n), v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
@@ -2179,9 +2239,10 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
+      n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
+      n_lo = n_lost == 0.0 ? 0.0 : n_small;
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -2195,10 +2256,11 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * half_of_upper_3_lo, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_part1 = half_of_upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
+      half_cross2 = KSL_MUL(half_part0, half_of_upper_3_lo),
+      half_square1 = KSL_MUL(half_part1, half_part1),
+      half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
       divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
@@ -2213,12 +2275,13 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor,
+      unit_0_product = KSL_MUL(unit_0, unit_0_of_divisor),
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
       unit_0_rest = unit_0_of_v_y_0 - unit_0_product,
       unit_0_exact = unit_0_rest - unit_0_product_error,
       unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo,
-      unit_0_cross = unit_0 * unit_0_of_divisor_lo,
+      unit_0_cross = KSL_MUL(unit_0, unit_0_of_divisor_lo),
       unit_0_residual = unit_0_numerator - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
   const double unit_1_of_v_y_1 = v_y_1 + v_y_1_lo, unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1,
@@ -2226,12 +2289,13 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       unit_1_of_v_y_1_left_rest = v_y_1 - unit_1_of_v_y_1_left,
       unit_1_of_v_y_1_right_rest = v_y_1_lo - unit_1_of_v_y_1_right,
       unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + unit_1_of_v_y_1_right_rest,
-      unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
+      unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor,
+      unit_1_product = KSL_MUL(unit_1, unit_0_of_divisor),
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
       unit_1_rest = unit_1_of_v_y_1 - unit_1_product,
       unit_1_exact = unit_1_rest - unit_1_product_error,
       unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo,
-      unit_1_cross = unit_1 * unit_0_of_divisor_lo,
+      unit_1_cross = KSL_MUL(unit_1, unit_0_of_divisor_lo),
       unit_1_residual = unit_1_numerator - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
   const double unit_2_of_v_y_2 = v_y_2 + v_y_2_lo, unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2,
@@ -2239,15 +2303,16 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       unit_2_of_v_y_2_left_rest = v_y_2 - unit_2_of_v_y_2_left,
       unit_2_of_v_y_2_right_rest = v_y_2_lo - unit_2_of_v_y_2_right,
       unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + unit_2_of_v_y_2_right_rest,
-      unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
+      unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor,
+      unit_2_product = KSL_MUL(unit_2, unit_0_of_divisor),
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
       unit_2_rest = unit_2_of_v_y_2 - unit_2_product,
       unit_2_exact = unit_2_rest - unit_2_product_error,
       unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo,
-      unit_2_cross = unit_2 * unit_0_of_divisor_lo,
+      unit_2_cross = KSL_MUL(unit_2, unit_0_of_divisor_lo),
       unit_2_residual = unit_2_numerator - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
-  const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
+  const double angle = KSL_MUL(2.0, half), angle_cross2 = KSL_MUL(2.0, half_lo);
   const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
@@ -2276,8 +2341,8 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
       n_1 = n_1a - n_1b;
   const double n_2a = (double)R->m01 * (double)R->m12, n_2b = (double)R->m02 * (double)R->m11,
       n_2 = n_2a - n_2b;
-  const double det_a = (double)R->m00 * n_0, det_b = (double)R->m10 * n_1, det_c = det_a + det_b,
-      det_d = (double)R->m20 * n_2, det = det_c + det_d;
+  const double det_a = KSL_MUL((double)R->m00, n_0), det_b = KSL_MUL((double)R->m10, n_1),
+      det_c = det_a + det_b, det_d = KSL_MUL((double)R->m20, n_2), det = det_c + det_d;
   return (float)det;
 }
 
@@ -2306,8 +2371,8 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
       n2_1 = n2_1a - n2_1b;
   const double n2_2a = (double)R->m00 * (double)R->m11, n2_2b = (double)R->m01 * (double)R->m10,
       n2_2 = n2_2a - n2_2b;
-  const double d_a = (double)R->m00 * n0_0, d_b = (double)R->m10 * n0_1, d_c = d_a + d_b,
-      d_d = (double)R->m20 * n0_2, d = d_c + d_d;
+  const double d_a = KSL_MUL((double)R->m00, n0_0), d_b = KSL_MUL((double)R->m10, n0_1),
+      d_c = d_a + d_b, d_d = KSL_MUL((double)R->m20, n0_2), d = d_c + d_d;
   const double size0_0 = fabs((double)R->m00);
   const double size0_1 = fabs((double)R->m10);
   const double size0_2 = fabs((double)R->m20);
@@ -2317,14 +2382,15 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
   const double size2_0 = fabs((double)R->m02);
   const double size2_1 = fabs((double)R->m12);
   const double size2_2 = fabs((double)R->m22);
-  const double permanent_a = size1_1 * size2_2, permanent_b = size1_2 * size2_1,
-      permanent_c = permanent_a + permanent_b, permanent_d = size0_0 * permanent_c,
-      permanent_e = size1_0 * size2_2, permanent_f = size1_2 * size2_0,
-      permanent_g = permanent_e + permanent_f, permanent_h = size0_1 * permanent_g,
-      permanent_i = permanent_d + permanent_h, permanent_j = size1_0 * size2_1,
-      permanent_k = size1_1 * size2_0, permanent_l = permanent_j + permanent_k,
-      permanent_m = size0_2 * permanent_l, permanent = permanent_i + permanent_m;
-  const double least_a = permanent * 4.76837158203125e-07, least = least_a + 1.262177448353619e-29;
+  const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
+      permanent_c = permanent_a + permanent_b, permanent_d = KSL_MUL(size0_0, permanent_c),
+      permanent_e = KSL_MUL(size1_0, size2_2), permanent_f = KSL_MUL(size1_2, size2_0),
+      permanent_g = permanent_e + permanent_f, permanent_h = KSL_MUL(size0_1, permanent_g),
+      permanent_i = permanent_d + permanent_h, permanent_j = KSL_MUL(size1_0, size2_1),
+      permanent_k = KSL_MUL(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
+      permanent_m = KSL_MUL(size0_2, permanent_l), permanent = permanent_i + permanent_m;
+  const double least_a = KSL_MUL(permanent, 4.76837158203125e-07),
+      least = least_a + 1.262177448353619e-29;
   const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
   const double det = regular == 1.0 ? d : 0.0;
@@ -2363,23 +2429,24 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
-  const double q0_y_0 = (double)self->m00 * q0_s;
-  const double q0_y_1 = (double)self->m01 * q0_s;
-  const double q0_y_2 = (double)self->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL((double)self->m00, q0_s);
+  const double q0_y_1 = KSL_MUL((double)self->m01, q0_s);
+  const double q0_y_2 = KSL_MUL((double)self->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = (double)self->m00 * q0_up;
-  const double q0_enlarged_1 = (double)self->m01 * q0_up;
-  const double q0_enlarged_2 = (double)self->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL((double)self->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL((double)self->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL((double)self->m02, q0_up);
   const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const double q0_0 = q0_quotient_0 * q0_down;
-  const double q0_1 = q0_quotient_1 * q0_down;
-  const double q0_2 = q0_quotient_2 * q0_down;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
+  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
+  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
   const double u1_s_size_0 = fabs((double)self->m10);
   const double u1_s_size_1 = fabs((double)self->m11);
   const double u1_s_size_2 = fabs((double)self->m12);
@@ -2388,42 +2455,46 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
-  const double u1_y_0 = (double)self->m10 * u1_s;
-  const double u1_y_1 = (double)self->m11 * u1_s;
-  const double u1_y_2 = (double)self->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL((double)self->m10, u1_s);
+  const double u1_y_1 = KSL_MUL((double)self->m11, u1_s);
+  const double u1_y_2 = KSL_MUL((double)self->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = (double)self->m10 * u1_up;
-  const double u1_enlarged_1 = (double)self->m11 * u1_up;
-  const double u1_enlarged_2 = (double)self->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL((double)self->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL((double)self->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL((double)self->m12, u1_up);
   const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const double u1_0 = u1_quotient_0 * u1_down;
-  const double u1_1 = u1_quotient_1 * u1_down;
-  const double u1_2 = u1_quotient_2 * u1_down;
-  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
+  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
+  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double along_a = KSL_MUL(q0_0, u1_0), along_b = KSL_MUL(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MUL(q0_2, u1_2), along = along_c + along_d;
+  const double once_0a = KSL_MUL(q0_0, along), once_0 = u1_0 - once_0a;
+  const double once_1a = KSL_MUL(q0_1, along), once_1 = u1_1 - once_1a;
+  const double once_2a = KSL_MUL(q0_2, along), once_2 = u1_2 - once_2a;
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_b = KSL_MUL(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MUL(q0_2, once_2), rest = rest_c + rest_d;
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const double n_a = KSL_MUL(twice_0, twice_0), n_b = KSL_MUL(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(twice_2, twice_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double q1_0 = twice_0 / divisor;
   const double q1_1 = twice_1 / divisor;
   const double q1_2 = twice_2 / divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const double u2_s_size_0 = fabs((double)self->m20);
   const double u2_s_size_1 = fabs((double)self->m21);
   const double u2_s_size_2 = fabs((double)self->m22);
@@ -2432,25 +2503,26 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
-  const double u2_y_0 = (double)self->m20 * u2_s;
-  const double u2_y_1 = (double)self->m21 * u2_s;
-  const double u2_y_2 = (double)self->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL((double)self->m20, u2_s);
+  const double u2_y_1 = KSL_MUL((double)self->m21, u2_s);
+  const double u2_y_2 = KSL_MUL((double)self->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = (double)self->m20 * u2_up;
-  const double u2_enlarged_1 = (double)self->m21 * u2_up;
-  const double u2_enlarged_2 = (double)self->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL((double)self->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL((double)self->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL((double)self->m22, u2_up);
   const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const double u2_0 = u2_quotient_0 * u2_down;
-  const double u2_1 = u2_quotient_1 * u2_down;
-  const double u2_2 = u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
+  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
+  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double side_a = KSL_MUL(normal_0, u2_0), side_b = KSL_MUL(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MUL(normal_2, u2_2), side = side_c + side_d;
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
   const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
@@ -2491,23 +2563,24 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double q0_s_b = 4.611686018427388e+18 < q0_s_largest2 ? 2.710505431213761e-20 : 1.0,
       q0_s_d = q0_s_largest2 < 256.0 ? 1.8014398509481984e+16 : q0_s_b,
       q0_s = q0_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : q0_s_d;
-  const double q0_y_0 = (double)R->m00 * q0_s;
-  const double q0_y_1 = (double)R->m01 * q0_s;
-  const double q0_y_2 = (double)R->m02 * q0_s;
+  const double q0_y_0 = KSL_MUL((double)R->m00, q0_s);
+  const double q0_y_1 = KSL_MUL((double)R->m01, q0_s);
+  const double q0_y_2 = KSL_MUL((double)R->m02, q0_s);
   const double q0_up = 1.0 < q0_s ? q0_s : 1.0;
   const double q0_down = q0_s < 1.0 ? q0_s : 1.0;
-  const double q0_n_a = q0_y_0 * q0_y_0, q0_n_b = q0_y_1 * q0_y_1, q0_n_c = q0_n_a + q0_n_b,
-      q0_n_d = q0_y_2 * q0_y_2, q0_n_e = q0_n_c + q0_n_d, q0_n = sqrt(q0_n_e);
+  const double q0_n_a = KSL_MUL(q0_y_0, q0_y_0), q0_n_b = KSL_MUL(q0_y_1, q0_y_1),
+      q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
+      q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = (double)R->m00 * q0_up;
-  const double q0_enlarged_1 = (double)R->m01 * q0_up;
-  const double q0_enlarged_2 = (double)R->m02 * q0_up;
+  const double q0_enlarged_0 = KSL_MUL((double)R->m00, q0_up);
+  const double q0_enlarged_1 = KSL_MUL((double)R->m01, q0_up);
+  const double q0_enlarged_2 = KSL_MUL((double)R->m02, q0_up);
   const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
   const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
   const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
-  const double q0_0 = q0_quotient_0 * q0_down;
-  const double q0_1 = q0_quotient_1 * q0_down;
-  const double q0_2 = q0_quotient_2 * q0_down;
+  const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
+  const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
+  const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
   const double u1_s_size_0 = fabs((double)R->m10);
   const double u1_s_size_1 = fabs((double)R->m11);
   const double u1_s_size_2 = fabs((double)R->m12);
@@ -2516,42 +2589,46 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u1_s_b = 4.611686018427388e+18 < u1_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u1_s_d = u1_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u1_s_b,
       u1_s = u1_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u1_s_d;
-  const double u1_y_0 = (double)R->m10 * u1_s;
-  const double u1_y_1 = (double)R->m11 * u1_s;
-  const double u1_y_2 = (double)R->m12 * u1_s;
+  const double u1_y_0 = KSL_MUL((double)R->m10, u1_s);
+  const double u1_y_1 = KSL_MUL((double)R->m11, u1_s);
+  const double u1_y_2 = KSL_MUL((double)R->m12, u1_s);
   const double u1_up = 1.0 < u1_s ? u1_s : 1.0;
   const double u1_down = u1_s < 1.0 ? u1_s : 1.0;
-  const double u1_n_a = u1_y_0 * u1_y_0, u1_n_b = u1_y_1 * u1_y_1, u1_n_c = u1_n_a + u1_n_b,
-      u1_n_d = u1_y_2 * u1_y_2, u1_n_e = u1_n_c + u1_n_d, u1_n = sqrt(u1_n_e);
+  const double u1_n_a = KSL_MUL(u1_y_0, u1_y_0), u1_n_b = KSL_MUL(u1_y_1, u1_y_1),
+      u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
+      u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = (double)R->m10 * u1_up;
-  const double u1_enlarged_1 = (double)R->m11 * u1_up;
-  const double u1_enlarged_2 = (double)R->m12 * u1_up;
+  const double u1_enlarged_0 = KSL_MUL((double)R->m10, u1_up);
+  const double u1_enlarged_1 = KSL_MUL((double)R->m11, u1_up);
+  const double u1_enlarged_2 = KSL_MUL((double)R->m12, u1_up);
   const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
   const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
   const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
-  const double u1_0 = u1_quotient_0 * u1_down;
-  const double u1_1 = u1_quotient_1 * u1_down;
-  const double u1_2 = u1_quotient_2 * u1_down;
-  const double along_a = q0_0 * u1_0, along_b = q0_1 * u1_1, along_c = along_a + along_b,
-      along_d = q0_2 * u1_2, along = along_c + along_d;
-  const double once_0a = q0_0 * along, once_0 = u1_0 - once_0a;
-  const double once_1a = q0_1 * along, once_1 = u1_1 - once_1a;
-  const double once_2a = q0_2 * along, once_2 = u1_2 - once_2a;
-  const double rest_a = q0_0 * once_0, rest_b = q0_1 * once_1, rest_c = rest_a + rest_b,
-      rest_d = q0_2 * once_2, rest = rest_c + rest_d;
-  const double twice_0a = q0_0 * rest, twice_0 = once_0 - twice_0a;
-  const double twice_1a = q0_1 * rest, twice_1 = once_1 - twice_1a;
-  const double twice_2a = q0_2 * rest, twice_2 = once_2 - twice_2a;
-  const double n_a = twice_0 * twice_0, n_b = twice_1 * twice_1, n_c = n_a + n_b,
-      n_d = twice_2 * twice_2, n_e = n_c + n_d, n = sqrt(n_e);
+  const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
+  const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
+  const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
+  const double along_a = KSL_MUL(q0_0, u1_0), along_b = KSL_MUL(q0_1, u1_1),
+      along_c = along_a + along_b, along_d = KSL_MUL(q0_2, u1_2), along = along_c + along_d;
+  const double once_0a = KSL_MUL(q0_0, along), once_0 = u1_0 - once_0a;
+  const double once_1a = KSL_MUL(q0_1, along), once_1 = u1_1 - once_1a;
+  const double once_2a = KSL_MUL(q0_2, along), once_2 = u1_2 - once_2a;
+  const double rest_a = KSL_MUL(q0_0, once_0), rest_b = KSL_MUL(q0_1, once_1),
+      rest_c = rest_a + rest_b, rest_d = KSL_MUL(q0_2, once_2), rest = rest_c + rest_d;
+  const double twice_0a = KSL_MUL(q0_0, rest), twice_0 = once_0 - twice_0a;
+  const double twice_1a = KSL_MUL(q0_1, rest), twice_1 = once_1 - twice_1a;
+  const double twice_2a = KSL_MUL(q0_2, rest), twice_2 = once_2 - twice_2a;
+  const double n_a = KSL_MUL(twice_0, twice_0), n_b = KSL_MUL(twice_1, twice_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(twice_2, twice_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double q1_0 = twice_0 / divisor;
   const double q1_1 = twice_1 / divisor;
   const double q1_2 = twice_2 / divisor;
-  const double normal_0a = q0_1 * q1_2, normal_0b = q0_2 * q1_1, normal_0 = normal_0a - normal_0b;
-  const double normal_1a = q0_2 * q1_0, normal_1b = q0_0 * q1_2, normal_1 = normal_1a - normal_1b;
-  const double normal_2a = q0_0 * q1_1, normal_2b = q0_1 * q1_0, normal_2 = normal_2a - normal_2b;
+  const double normal_0a = KSL_MUL(q0_1, q1_2), normal_0b = KSL_MUL(q0_2, q1_1),
+      normal_0 = normal_0a - normal_0b;
+  const double normal_1a = KSL_MUL(q0_2, q1_0), normal_1b = KSL_MUL(q0_0, q1_2),
+      normal_1 = normal_1a - normal_1b;
+  const double normal_2a = KSL_MUL(q0_0, q1_1), normal_2b = KSL_MUL(q0_1, q1_0),
+      normal_2 = normal_2a - normal_2b;
   const double u2_s_size_0 = fabs((double)R->m20);
   const double u2_s_size_1 = fabs((double)R->m21);
   const double u2_s_size_2 = fabs((double)R->m22);
@@ -2560,25 +2637,26 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   const double u2_s_b = 4.611686018427388e+18 < u2_s_largest2 ? 2.710505431213761e-20 : 1.0,
       u2_s_d = u2_s_largest2 < 256.0 ? 1.8014398509481984e+16 : u2_s_b,
       u2_s = u2_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : u2_s_d;
-  const double u2_y_0 = (double)R->m20 * u2_s;
-  const double u2_y_1 = (double)R->m21 * u2_s;
-  const double u2_y_2 = (double)R->m22 * u2_s;
+  const double u2_y_0 = KSL_MUL((double)R->m20, u2_s);
+  const double u2_y_1 = KSL_MUL((double)R->m21, u2_s);
+  const double u2_y_2 = KSL_MUL((double)R->m22, u2_s);
   const double u2_up = 1.0 < u2_s ? u2_s : 1.0;
   const double u2_down = u2_s < 1.0 ? u2_s : 1.0;
-  const double u2_n_a = u2_y_0 * u2_y_0, u2_n_b = u2_y_1 * u2_y_1, u2_n_c = u2_n_a + u2_n_b,
-      u2_n_d = u2_y_2 * u2_y_2, u2_n_e = u2_n_c + u2_n_d, u2_n = sqrt(u2_n_e);
+  const double u2_n_a = KSL_MUL(u2_y_0, u2_y_0), u2_n_b = KSL_MUL(u2_y_1, u2_y_1),
+      u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
+      u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = (double)R->m20 * u2_up;
-  const double u2_enlarged_1 = (double)R->m21 * u2_up;
-  const double u2_enlarged_2 = (double)R->m22 * u2_up;
+  const double u2_enlarged_0 = KSL_MUL((double)R->m20, u2_up);
+  const double u2_enlarged_1 = KSL_MUL((double)R->m21, u2_up);
+  const double u2_enlarged_2 = KSL_MUL((double)R->m22, u2_up);
   const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
   const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
   const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
-  const double u2_0 = u2_quotient_0 * u2_down;
-  const double u2_1 = u2_quotient_1 * u2_down;
-  const double u2_2 = u2_quotient_2 * u2_down;
-  const double side_a = normal_0 * u2_0, side_b = normal_1 * u2_1, side_c = side_a + side_b,
-      side_d = normal_2 * u2_2, side = side_c + side_d;
+  const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
+  const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
+  const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
+  const double side_a = KSL_MUL(normal_0, u2_0), side_b = KSL_MUL(normal_1, u2_1),
+      side_c = side_a + side_b, side_d = KSL_MUL(normal_2, u2_2), side = side_c + side_d;
   const double q2_0a = -normal_0, q2_0 = side < 0.0 ? q2_0a : normal_0;
   const double q2_1a = -normal_1, q2_1 = side < 0.0 ? q2_1a : normal_1;
   const double q2_2a = -normal_2, q2_2 = side < 0.0 ? q2_2a : normal_2;
@@ -2613,15 +2691,15 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
 static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const double versine = 1.0 - (double)dc[1];
-  const double versine_axis_0 = (double)axis->x * versine;
-  const double versine_axis_1 = (double)axis->y * versine;
-  const double versine_axis_2 = (double)axis->z * versine;
-  const double m_0 = (double)axis->x * versine_axis_0;
-  const double m_1 = (double)axis->y * versine_axis_1;
-  const double m_2 = (double)axis->z * versine_axis_2;
-  const double m_3 = (double)axis->y * versine_axis_0;
-  const double m_4 = (double)axis->z * versine_axis_0;
-  const double m_5 = (double)axis->z * versine_axis_1;
+  const double versine_axis_0 = KSL_MUL((double)axis->x, versine);
+  const double versine_axis_1 = KSL_MUL((double)axis->y, versine);
+  const double versine_axis_2 = KSL_MUL((double)axis->z, versine);
+  const double m_0 = KSL_MUL((double)axis->x, versine_axis_0);
+  const double m_1 = KSL_MUL((double)axis->y, versine_axis_1);
+  const double m_2 = KSL_MUL((double)axis->z, versine_axis_2);
+  const double m_3 = KSL_MUL((double)axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL((double)axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL((double)axis->z, versine_axis_1);
   const double sine_axis_0 = (double)axis->x * (double)dc[0];
   const double sine_axis_1 = (double)axis->y * (double)dc[0];
   const double sine_axis_2 = (double)axis->z * (double)dc[0];
@@ -2660,9 +2738,9 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
   const double polar = atan2(sine_a, (double)R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1a = (double)R->m10 * sine, left_1b = (double)R->m11 * cosine,
+  const double left_1a = KSL_MUL((double)R->m10, sine), left_1b = KSL_MUL((double)R->m11, cosine),
       left_1 = left_1a + left_1b;
-  const double left_2a = (double)R->m20 * sine, left_2b = (double)R->m21 * cosine,
+  const double left_2a = KSL_MUL((double)R->m20, sine), left_2b = KSL_MUL((double)R->m21, cosine),
       left_2 = left_2a + left_2b;
   const double angles_0 = atan2(left_2, left_1);
   const double angles_1 = atan2((double)R->m02, n);
@@ -2686,9 +2764,9 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double sine = (double)R->m01 / divisor;
   const double polar = atan2((double)R->m01, (double)R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
-  const double left_1a = (double)R->m11 * cosine, left_1b = (double)R->m12 * sine,
+  const double left_1a = KSL_MUL((double)R->m11, cosine), left_1b = KSL_MUL((double)R->m12, sine),
       left_1 = left_1a - left_1b;
-  const double left_2a = (double)R->m21 * cosine, left_2b = (double)R->m22 * sine,
+  const double left_2a = KSL_MUL((double)R->m21, cosine), left_2b = KSL_MUL((double)R->m22, sine),
       left_2 = left_2a - left_2b;
   const double angles_0 = atan2(left_2, left_1);
   const double angles_1 = atan2(n, (double)R->m00);
@@ -2709,22 +2787,30 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   const double divisor = twice == 0.0 ? 1.0 : twice;
   const double theta = apart / divisor;
   const double magnitude = fabs(theta);
-  const double size_a = theta * theta, size_b = 1.0 + size_a, size_c = sqrt(size_b),
+  const double size_a = KSL_MUL(theta, theta), size_b = 1.0 + size_a, size_c = sqrt(size_b),
       size = magnitude + size_c;
   const double along_a = -size, along = theta < 0.0 ? along_a : size;
   const double t_a = 1.0 / along, t = twice == 0.0 ? 0.0 : t_a;
-  const double secant_a = t * t, secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
+  const double secant_a = KSL_MUL(t, t), secant_b = 1.0 + secant_a, secant = sqrt(secant_b);
   const double c = 1.0 / secant;
-  const double s = t * c;
-  const double change = (double)A->m10 * t;
-  const double zp_a = (double)A->m20 * c, zp_b = (double)A->m21 * s, zp = zp_a - zp_b;
-  const double zq_a = (double)A->m20 * s, zq_b = (double)A->m21 * c, zq = zq_a + zq_b;
-  const double vp_0a = (double)V->m00 * c, vp_0b = (double)V->m01 * s, vp_0 = vp_0a - vp_0b;
-  const double vp_1a = (double)V->m10 * c, vp_1b = (double)V->m11 * s, vp_1 = vp_1a - vp_1b;
-  const double vp_2a = (double)V->m20 * c, vp_2b = (double)V->m21 * s, vp_2 = vp_2a - vp_2b;
-  const double vq_0a = (double)V->m00 * s, vq_0b = (double)V->m01 * c, vq_0 = vq_0a + vq_0b;
-  const double vq_1a = (double)V->m10 * s, vq_1b = (double)V->m11 * c, vq_1 = vq_1a + vq_1b;
-  const double vq_2a = (double)V->m20 * s, vq_2b = (double)V->m21 * c, vq_2 = vq_2a + vq_2b;
+  const double s = KSL_MUL(t, c);
+  const double change = KSL_MUL((double)A->m10, t);
+  const double zp_a = KSL_MUL((double)A->m20, c), zp_b = KSL_MUL((double)A->m21, s),
+      zp = zp_a - zp_b;
+  const double zq_a = KSL_MUL((double)A->m20, s), zq_b = KSL_MUL((double)A->m21, c),
+      zq = zq_a + zq_b;
+  const double vp_0a = KSL_MUL((double)V->m00, c), vp_0b = KSL_MUL((double)V->m01, s),
+      vp_0 = vp_0a - vp_0b;
+  const double vp_1a = KSL_MUL((double)V->m10, c), vp_1b = KSL_MUL((double)V->m11, s),
+      vp_1 = vp_1a - vp_1b;
+  const double vp_2a = KSL_MUL((double)V->m20, c), vp_2b = KSL_MUL((double)V->m21, s),
+      vp_2 = vp_2a - vp_2b;
+  const double vq_0a = KSL_MUL((double)V->m00, s), vq_0b = KSL_MUL((double)V->m01, c),
+      vq_0 = vq_0a + vq_0b;
+  const double vq_1a = KSL_MUL((double)V->m10, s), vq_1b = KSL_MUL((double)V->m11, c),
+      vq_1 = vq_1a + vq_1b;
+  const double vq_2a = KSL_MUL((double)V->m20, s), vq_2b = KSL_MUL((double)V->m21, c),
+      vq_2 = vq_2a + vq_2b;
   const double A_00_new = (double)A->m11 + change;
   const double A_22_new = (double)A->m00 - change;
   const float A_m22 = A->m22;
@@ -2796,21 +2882,21 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;

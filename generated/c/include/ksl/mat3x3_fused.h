@@ -14,10 +14,11 @@
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
-  const double n_0a = R->m11 * R->m22, n_0 = fma(-R->m12, R->m21, n_0a);
-  const double n_1a = R->m02 * R->m21, n_1 = fma(-R->m01, R->m22, n_1a);
-  const double n_2a = R->m01 * R->m12, n_2 = fma(-R->m02, R->m11, n_2a);
-  const double det_a = R->m00 * n_0, det_c = fma(R->m10, n_1, det_a), det = fma(R->m20, n_2, det_c);
+  const double n_0a = KSL_MUL(R->m11, R->m22), n_0 = fma(-R->m12, R->m21, n_0a);
+  const double n_1a = KSL_MUL(R->m02, R->m21), n_1 = fma(-R->m01, R->m22, n_1a);
+  const double n_2a = KSL_MUL(R->m01, R->m12), n_2 = fma(-R->m02, R->m11, n_2a);
+  const double det_a = KSL_MUL(R->m00, n_0), det_c = fma(R->m10, n_1, det_a),
+      det = fma(R->m20, n_2, det_c);
   return det;
 }
 
@@ -29,15 +30,15 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
 static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
     const double dc[2]) {
   const double versine = 1.0 - dc[1];
-  const double versine_axis_0 = axis->x * versine;
-  const double versine_axis_1 = axis->y * versine;
-  const double versine_axis_2 = axis->z * versine;
-  const double m_3 = axis->y * versine_axis_0;
-  const double m_4 = axis->z * versine_axis_0;
-  const double m_5 = axis->z * versine_axis_1;
-  const double sine_axis_0 = axis->x * dc[0];
-  const double sine_axis_1 = axis->y * dc[0];
-  const double sine_axis_2 = axis->z * dc[0];
+  const double versine_axis_0 = KSL_MUL(axis->x, versine);
+  const double versine_axis_1 = KSL_MUL(axis->y, versine);
+  const double versine_axis_2 = KSL_MUL(axis->z, versine);
+  const double m_3 = KSL_MUL(axis->y, versine_axis_0);
+  const double m_4 = KSL_MUL(axis->z, versine_axis_0);
+  const double m_5 = KSL_MUL(axis->z, versine_axis_1);
+  const double sine_axis_0 = KSL_MUL(axis->x, dc[0]);
+  const double sine_axis_1 = KSL_MUL(axis->y, dc[0]);
+  const double sine_axis_2 = KSL_MUL(axis->z, dc[0]);
   const double R_00 = fma(axis->x, versine_axis_0, dc[1]);
   const double R_01 = m_3 - sine_axis_2;
   const double R_02 = m_4 + sine_axis_1;
@@ -64,10 +65,10 @@ static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
-  const float n_0a = R->m11 * R->m22, n_0 = fmaf(-R->m12, R->m21, n_0a);
-  const float n_1a = R->m02 * R->m21, n_1 = fmaf(-R->m01, R->m22, n_1a);
-  const float n_2a = R->m01 * R->m12, n_2 = fmaf(-R->m02, R->m11, n_2a);
-  const float det_a = R->m00 * n_0, det_c = fmaf(R->m10, n_1, det_a),
+  const float n_0a = KSL_MULF(R->m11, R->m22), n_0 = fmaf(-R->m12, R->m21, n_0a);
+  const float n_1a = KSL_MULF(R->m02, R->m21), n_1 = fmaf(-R->m01, R->m22, n_1a);
+  const float n_2a = KSL_MULF(R->m01, R->m12), n_2 = fmaf(-R->m02, R->m11, n_2a);
+  const float det_a = KSL_MULF(R->m00, n_0), det_c = fmaf(R->m10, n_1, det_a),
       det = fmaf(R->m20, n_2, det_c);
   return det;
 }
@@ -80,15 +81,15 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
 static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
     const float dc[2]) {
   const float versine = 1.0f - dc[1];
-  const float versine_axis_0 = axis->x * versine;
-  const float versine_axis_1 = axis->y * versine;
-  const float versine_axis_2 = axis->z * versine;
-  const float m_3 = axis->y * versine_axis_0;
-  const float m_4 = axis->z * versine_axis_0;
-  const float m_5 = axis->z * versine_axis_1;
-  const float sine_axis_0 = axis->x * dc[0];
-  const float sine_axis_1 = axis->y * dc[0];
-  const float sine_axis_2 = axis->z * dc[0];
+  const float versine_axis_0 = KSL_MULF(axis->x, versine);
+  const float versine_axis_1 = KSL_MULF(axis->y, versine);
+  const float versine_axis_2 = KSL_MULF(axis->z, versine);
+  const float m_3 = KSL_MULF(axis->y, versine_axis_0);
+  const float m_4 = KSL_MULF(axis->z, versine_axis_0);
+  const float m_5 = KSL_MULF(axis->z, versine_axis_1);
+  const float sine_axis_0 = KSL_MULF(axis->x, dc[0]);
+  const float sine_axis_1 = KSL_MULF(axis->y, dc[0]);
+  const float sine_axis_2 = KSL_MULF(axis->z, dc[0]);
   const float R_00 = fmaf(axis->x, versine_axis_0, dc[1]);
   const float R_01 = m_3 - sine_axis_2;
   const float R_02 = m_4 + sine_axis_1;

@@ -15,12 +15,12 @@
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -32,12 +32,12 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -49,12 +49,12 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -67,12 +67,12 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
      and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -84,12 +84,12 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const double vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const double vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0b = KSL_MUL(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1b = KSL_MUL(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2b = KSL_MUL(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -104,12 +104,12 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
   const double p_0 = v->x - D->m03;
   const double p_1 = v->y - D->m13;
   const double p_2 = v->z - D->m23;
-  const double vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0b = KSL_MUL(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MUL(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1b = KSL_MUL(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MUL(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2b = KSL_MUL(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MUL(D->m22, p_2), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -122,24 +122,24 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
      and underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22b = KSL_MUL(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -158,24 +158,24 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
      and underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01b = KSL_MUL(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02b = KSL_MUL(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12b = KSL_MUL(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21b = KSL_MUL(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22b = KSL_MUL(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -194,24 +194,24 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
      and underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20b = KSL_MUL(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21b = KSL_MUL(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22b = KSL_MUL(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -229,30 +229,33 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const double Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const double Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03b = KSL_MUL(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13b = KSL_MUL(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20b = KSL_MUL(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21b = KSL_MUL(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22b = KSL_MUL(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23b = KSL_MUL(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -273,30 +276,33 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const double R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const double R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const double R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const double R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const double R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const double R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const double R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const double R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const double Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0b = KSL_MUL(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MUL(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1b = KSL_MUL(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MUL(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2b = KSL_MUL(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MUL(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3b = KSL_MUL(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MUL(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4b = KSL_MUL(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MUL(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5b = KSL_MUL(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MUL(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6b = KSL_MUL(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MUL(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7b = KSL_MUL(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MUL(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8b = KSL_MUL(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MUL(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03b = KSL_MUL(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13b = KSL_MUL(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23b = KSL_MUL(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -320,30 +326,30 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
   const double p_0 = D2->m03 - D1->m03;
   const double p_1 = D2->m13 - D1->m13;
   const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const double Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03b = KSL_MUL(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13b = KSL_MUL(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20b = KSL_MUL(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21b = KSL_MUL(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22b = KSL_MUL(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23b = KSL_MUL(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -364,24 +370,24 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02b = KSL_MUL(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12b = KSL_MUL(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22b = KSL_MUL(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -405,24 +411,24 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01b = KSL_MUL(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02b = KSL_MUL(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11b = KSL_MUL(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12b = KSL_MUL(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21b = KSL_MUL(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22b = KSL_MUL(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -446,12 +452,15 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -481,12 +490,15 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const double Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const double Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -519,12 +531,12 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
   const double p_0 = t->x - D->m03;
   const double p_1 = t->y - D->m13;
   const double p_2 = t->z - D->m23;
-  const double Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const double Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const double Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03b = KSL_MUL(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13b = KSL_MUL(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23b = KSL_MUL(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, p_2), Do_23 = Do_23c + Do_23d;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -553,9 +565,9 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m00 * k;
-  const double vo_1 = R->m10 * k;
-  const double vo_2 = R->m20 * k;
+  const double vo_0 = KSL_MUL(R->m00, k);
+  const double vo_1 = KSL_MUL(R->m10, k);
+  const double vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -567,12 +579,18 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -593,12 +611,18 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -625,9 +649,9 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -656,9 +680,9 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -671,12 +695,18 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -697,12 +727,18 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const double Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -729,9 +765,9 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -760,9 +796,9 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m01 * k;
-  const double vo_1 = R->m11 * k;
-  const double vo_2 = R->m21 * k;
+  const double vo_0 = KSL_MUL(R->m01, k);
+  const double vo_1 = KSL_MUL(R->m11, k);
+  const double vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -774,12 +810,18 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -800,12 +842,18 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -832,9 +880,9 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -863,9 +911,9 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -878,12 +926,18 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -904,12 +958,18 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -936,9 +996,9 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -967,9 +1027,9 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = R->m02 * k;
-  const double vo_1 = R->m12 * k;
-  const double vo_2 = R->m22 * k;
+  const double vo_0 = KSL_MUL(R->m02, k);
+  const double vo_1 = KSL_MUL(R->m12, k);
+  const double vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -981,12 +1041,18 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1007,12 +1073,18 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const double Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const double Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const double Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1039,9 +1111,9 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const double Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const double Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = Do_03a + D->m03;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = Do_13a + D->m13;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = Do_23a + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1070,9 +1142,9 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const double vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const double vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1085,12 +1157,18 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01b = KSL_MUL(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11b = KSL_MUL(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21b = KSL_MUL(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1111,12 +1189,18 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const double Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const double Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const double Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const double Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const double Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01b = KSL_MUL(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11b = KSL_MUL(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21b = KSL_MUL(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1143,9 +1227,9 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const double Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const double Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = D->m23 - Do_23a;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1175,12 +1259,12 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1193,12 +1277,12 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
      and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m10 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m20 * v->x, vo_2b = R->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1211,12 +1295,12 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1229,12 +1313,12 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * v->x, vo_0b = R->m10 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = R->m20 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = R->m01 * v->x, vo_1b = R->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = R->m21 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = R->m02 * v->x, vo_2b = R->m12 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = R->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1246,12 +1330,12 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = D->m00 * v->x, vo_0b = D->m01 * v->y, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m02 * v->z, vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const float vo_1a = D->m10 * v->x, vo_1b = D->m11 * v->y, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m12 * v->z, vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const float vo_2a = D->m20 * v->x, vo_2b = D->m21 * v->y, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * v->z, vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0b = KSL_MULF(D->m01, v->y), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
+  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1b = KSL_MULF(D->m11, v->y), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
+  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2b = KSL_MULF(D->m21, v->y), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1266,12 +1350,12 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
   const float p_0 = v->x - D->m03;
   const float p_1 = v->y - D->m13;
   const float p_2 = v->z - D->m23;
-  const float vo_0a = D->m00 * p_0, vo_0b = D->m10 * p_1, vo_0c = vo_0a + vo_0b,
-      vo_0d = D->m20 * p_2, vo_0 = vo_0c + vo_0d;
-  const float vo_1a = D->m01 * p_0, vo_1b = D->m11 * p_1, vo_1c = vo_1a + vo_1b,
-      vo_1d = D->m21 * p_2, vo_1 = vo_1c + vo_1d;
-  const float vo_2a = D->m02 * p_0, vo_2b = D->m12 * p_1, vo_2c = vo_2a + vo_2b,
-      vo_2d = D->m22 * p_2, vo_2 = vo_2c + vo_2d;
+  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0b = KSL_MULF(D->m10, p_1), vo_0c = vo_0a + vo_0b,
+      vo_0d = KSL_MULF(D->m20, p_2), vo_0 = vo_0c + vo_0d;
+  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1b = KSL_MULF(D->m11, p_1), vo_1c = vo_1a + vo_1b,
+      vo_1d = KSL_MULF(D->m21, p_2), vo_1 = vo_1c + vo_1d;
+  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2b = KSL_MULF(D->m12, p_1), vo_2c = vo_2a + vo_2b,
+      vo_2d = KSL_MULF(D->m22, p_2), vo_2 = vo_2c + vo_2d;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1284,24 +1368,24 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m01 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m01, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m02, Ro_22b = R1->m21 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m01, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22b = KSL_MULF(R1->m21, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1320,24 +1404,24 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
      and underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m01 * R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m02 * R2->m02, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m10, Ro_01b = R1->m01 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m02 * R2->m12, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m20, Ro_02b = R1->m01 * R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m02 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m10 * R2->m00, Ro_10b = R1->m11 * R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m12 * R2->m02, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m10 * R2->m10, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m12 * R2->m12, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m10 * R2->m20, Ro_12b = R1->m11 * R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m12 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m20 * R2->m00, Ro_20b = R1->m21 * R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m02, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m20 * R2->m10, Ro_21b = R1->m21 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m12, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m20 * R2->m20, Ro_22b = R1->m21 * R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m01),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01b = KSL_MULF(R1->m01, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02b = KSL_MULF(R1->m01, R2->m21),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m01),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12b = KSL_MULF(R1->m11, R2->m21),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m01),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21b = KSL_MULF(R1->m21, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22b = KSL_MULF(R1->m21, R2->m21),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1356,24 +1440,24 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
      and underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R1->m00 * R2->m00, Ro_00b = R1->m10 * R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = R1->m20 * R2->m20, Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = R1->m00 * R2->m01, Ro_01b = R1->m10 * R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = R1->m20 * R2->m21, Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = R1->m00 * R2->m02, Ro_02b = R1->m10 * R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = R1->m20 * R2->m22, Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = R1->m01 * R2->m00, Ro_10b = R1->m11 * R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = R1->m21 * R2->m20, Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = R1->m01 * R2->m01, Ro_11b = R1->m11 * R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = R1->m21 * R2->m21, Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = R1->m01 * R2->m02, Ro_12b = R1->m11 * R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = R1->m21 * R2->m22, Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = R1->m02 * R2->m00, Ro_20b = R1->m12 * R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = R1->m22 * R2->m20, Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = R1->m02 * R2->m01, Ro_21b = R1->m12 * R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = R1->m22 * R2->m21, Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = R1->m02 * R2->m02, Ro_22b = R1->m12 * R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = R1->m22 * R2->m22, Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m10, R2->m10),
+      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
+  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m10, R2->m11),
+      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
+  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m10, R2->m12),
+      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
+  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
+      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
+  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
+      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
+  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
+      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
+  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20b = KSL_MULF(R1->m12, R2->m10),
+      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
+  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21b = KSL_MULF(R1->m12, R2->m11),
+      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
+  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22b = KSL_MULF(R1->m12, R2->m12),
+      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1391,30 +1475,33 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m01 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m02 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m01 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m02 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m01 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m02 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * D2->m03, Do_03b = D1->m01 * D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m02 * D2->m23, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D1->m03;
-  const float Do_10a = D1->m10 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m12 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m10 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m12 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m10 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m12 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m10 * D2->m03, Do_13b = D1->m11 * D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m12 * D2->m23, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D1->m13;
-  const float Do_20a = D1->m20 * D2->m00, Do_20b = D1->m21 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m20 * D2->m01, Do_21b = D1->m21 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m20 * D2->m02, Do_22b = D1->m21 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m20 * D2->m03, Do_23b = D1->m21 * D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * D2->m23, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D1->m23;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m01, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m01, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m01, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03b = KSL_MULF(D1->m01, D2->m13),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D1->m03;
+  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13b = KSL_MULF(D1->m11, D2->m13),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D1->m13;
+  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20b = KSL_MULF(D1->m21, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21b = KSL_MULF(D1->m21, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22b = KSL_MULF(D1->m21, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23b = KSL_MULF(D1->m21, D2->m13),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1435,30 +1522,33 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float R_0a = D1->m00 * D2->m00, R_0b = D1->m01 * D2->m01, R_0c = R_0a + R_0b,
-      R_0d = D1->m02 * D2->m02, R_0 = R_0c + R_0d;
-  const float R_1a = D1->m00 * D2->m10, R_1b = D1->m01 * D2->m11, R_1c = R_1a + R_1b,
-      R_1d = D1->m02 * D2->m12, R_1 = R_1c + R_1d;
-  const float R_2a = D1->m00 * D2->m20, R_2b = D1->m01 * D2->m21, R_2c = R_2a + R_2b,
-      R_2d = D1->m02 * D2->m22, R_2 = R_2c + R_2d;
-  const float R_3a = D1->m10 * D2->m00, R_3b = D1->m11 * D2->m01, R_3c = R_3a + R_3b,
-      R_3d = D1->m12 * D2->m02, R_3 = R_3c + R_3d;
-  const float R_4a = D1->m10 * D2->m10, R_4b = D1->m11 * D2->m11, R_4c = R_4a + R_4b,
-      R_4d = D1->m12 * D2->m12, R_4 = R_4c + R_4d;
-  const float R_5a = D1->m10 * D2->m20, R_5b = D1->m11 * D2->m21, R_5c = R_5a + R_5b,
-      R_5d = D1->m12 * D2->m22, R_5 = R_5c + R_5d;
-  const float R_6a = D1->m20 * D2->m00, R_6b = D1->m21 * D2->m01, R_6c = R_6a + R_6b,
-      R_6d = D1->m22 * D2->m02, R_6 = R_6c + R_6d;
-  const float R_7a = D1->m20 * D2->m10, R_7b = D1->m21 * D2->m11, R_7c = R_7a + R_7b,
-      R_7d = D1->m22 * D2->m12, R_7 = R_7c + R_7d;
-  const float R_8a = D1->m20 * D2->m20, R_8b = D1->m21 * D2->m21, R_8c = R_8a + R_8b,
-      R_8d = D1->m22 * D2->m22, R_8 = R_8c + R_8d;
-  const float Do_03a = D2->m03 * R_0, Do_03b = D2->m13 * R_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D2->m23 * R_2, Do_03e = Do_03c + Do_03d, Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = D2->m03 * R_3, Do_13b = D2->m13 * R_4, Do_13c = Do_13a + Do_13b,
-      Do_13d = D2->m23 * R_5, Do_13e = Do_13c + Do_13d, Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = D2->m03 * R_6, Do_23b = D2->m13 * R_7, Do_23c = Do_23a + Do_23b,
-      Do_23d = D2->m23 * R_8, Do_23e = Do_23c + Do_23d, Do_23 = D1->m23 - Do_23e;
+  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0b = KSL_MULF(D1->m01, D2->m01),
+      R_0c = R_0a + R_0b, R_0d = KSL_MULF(D1->m02, D2->m02), R_0 = R_0c + R_0d;
+  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1b = KSL_MULF(D1->m01, D2->m11),
+      R_1c = R_1a + R_1b, R_1d = KSL_MULF(D1->m02, D2->m12), R_1 = R_1c + R_1d;
+  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2b = KSL_MULF(D1->m01, D2->m21),
+      R_2c = R_2a + R_2b, R_2d = KSL_MULF(D1->m02, D2->m22), R_2 = R_2c + R_2d;
+  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3b = KSL_MULF(D1->m11, D2->m01),
+      R_3c = R_3a + R_3b, R_3d = KSL_MULF(D1->m12, D2->m02), R_3 = R_3c + R_3d;
+  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4b = KSL_MULF(D1->m11, D2->m11),
+      R_4c = R_4a + R_4b, R_4d = KSL_MULF(D1->m12, D2->m12), R_4 = R_4c + R_4d;
+  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5b = KSL_MULF(D1->m11, D2->m21),
+      R_5c = R_5a + R_5b, R_5d = KSL_MULF(D1->m12, D2->m22), R_5 = R_5c + R_5d;
+  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6b = KSL_MULF(D1->m21, D2->m01),
+      R_6c = R_6a + R_6b, R_6d = KSL_MULF(D1->m22, D2->m02), R_6 = R_6c + R_6d;
+  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7b = KSL_MULF(D1->m21, D2->m11),
+      R_7c = R_7a + R_7b, R_7d = KSL_MULF(D1->m22, D2->m12), R_7 = R_7c + R_7d;
+  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8b = KSL_MULF(D1->m21, D2->m21),
+      R_8c = R_8a + R_8b, R_8d = KSL_MULF(D1->m22, D2->m22), R_8 = R_8c + R_8d;
+  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03b = KSL_MULF(D2->m13, R_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
+      Do_03 = D1->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13b = KSL_MULF(D2->m13, R_4),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
+      Do_13 = D1->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23b = KSL_MULF(D2->m13, R_7),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
+      Do_23 = D1->m23 - Do_23e;
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -1482,30 +1572,30 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
   const float p_0 = D2->m03 - D1->m03;
   const float p_1 = D2->m13 - D1->m13;
   const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = D1->m00 * D2->m00, Do_00b = D1->m10 * D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D1->m20 * D2->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D1->m00 * D2->m01, Do_01b = D1->m10 * D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D1->m20 * D2->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D1->m00 * D2->m02, Do_02b = D1->m10 * D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D1->m20 * D2->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_03a = D1->m00 * p_0, Do_03b = D1->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D1->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_10a = D1->m01 * D2->m00, Do_10b = D1->m11 * D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D1->m21 * D2->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D1->m01 * D2->m01, Do_11b = D1->m11 * D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D1->m21 * D2->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D1->m01 * D2->m02, Do_12b = D1->m11 * D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D1->m21 * D2->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_13a = D1->m01 * p_0, Do_13b = D1->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D1->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_20a = D1->m02 * D2->m00, Do_20b = D1->m12 * D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D1->m22 * D2->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D1->m02 * D2->m01, Do_21b = D1->m12 * D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D1->m22 * D2->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D1->m02 * D2->m02, Do_22b = D1->m12 * D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D1->m22 * D2->m22, Do_22 = Do_22c + Do_22d;
-  const float Do_23a = D1->m02 * p_0, Do_23b = D1->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D1->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m10, D2->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m10, D2->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m10, D2->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03b = KSL_MULF(D1->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13b = KSL_MULF(D1->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20b = KSL_MULF(D1->m12, D2->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21b = KSL_MULF(D1->m12, D2->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22b = KSL_MULF(D1->m12, D2->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23b = KSL_MULF(D1->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1526,24 +1616,24 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m20, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m01, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m21, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m02, Do_02b = D->m01 * R->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m20, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m01, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m21, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m02, Do_12b = D->m11 * R->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m20, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m01, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m21, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m02, Do_22b = D->m21 * R->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m10),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02b = KSL_MULF(D->m01, R->m12),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m10),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12b = KSL_MULF(D->m11, R->m12),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m10),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22b = KSL_MULF(D->m21, R->m12),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1568,24 +1658,24 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * R->m00, Do_00b = D->m01 * R->m01, Do_00c = Do_00a + Do_00b,
-      Do_00d = D->m02 * R->m02, Do_00 = Do_00c + Do_00d;
-  const float Do_01a = D->m00 * R->m10, Do_01b = D->m01 * R->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = D->m02 * R->m12, Do_01 = Do_01c + Do_01d;
-  const float Do_02a = D->m00 * R->m20, Do_02b = D->m01 * R->m21, Do_02c = Do_02a + Do_02b,
-      Do_02d = D->m02 * R->m22, Do_02 = Do_02c + Do_02d;
-  const float Do_10a = D->m10 * R->m00, Do_10b = D->m11 * R->m01, Do_10c = Do_10a + Do_10b,
-      Do_10d = D->m12 * R->m02, Do_10 = Do_10c + Do_10d;
-  const float Do_11a = D->m10 * R->m10, Do_11b = D->m11 * R->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = D->m12 * R->m12, Do_11 = Do_11c + Do_11d;
-  const float Do_12a = D->m10 * R->m20, Do_12b = D->m11 * R->m21, Do_12c = Do_12a + Do_12b,
-      Do_12d = D->m12 * R->m22, Do_12 = Do_12c + Do_12d;
-  const float Do_20a = D->m20 * R->m00, Do_20b = D->m21 * R->m01, Do_20c = Do_20a + Do_20b,
-      Do_20d = D->m22 * R->m02, Do_20 = Do_20c + Do_20d;
-  const float Do_21a = D->m20 * R->m10, Do_21b = D->m21 * R->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = D->m22 * R->m12, Do_21 = Do_21c + Do_21d;
-  const float Do_22a = D->m20 * R->m20, Do_22b = D->m21 * R->m21, Do_22c = Do_22a + Do_22b,
-      Do_22d = D->m22 * R->m22, Do_22 = Do_22c + Do_22d;
+  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m01),
+      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
+  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01b = KSL_MULF(D->m01, R->m11),
+      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
+  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02b = KSL_MULF(D->m01, R->m21),
+      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
+  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m01),
+      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
+  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11b = KSL_MULF(D->m11, R->m11),
+      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
+  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12b = KSL_MULF(D->m11, R->m21),
+      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
+  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m01),
+      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
+  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21b = KSL_MULF(D->m21, R->m11),
+      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
+  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22b = KSL_MULF(D->m21, R->m21),
+      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1609,12 +1699,15 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = Do_03e + D->m03;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = Do_13e + D->m13;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = Do_23e + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = Do_03e + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = Do_13e + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = Do_23e + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1644,12 +1737,15 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * t->x, Do_03b = D->m01 * t->y, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m02 * t->z, Do_03e = Do_03c + Do_03d, Do_03 = D->m03 - Do_03e;
-  const float Do_13a = D->m10 * t->x, Do_13b = D->m11 * t->y, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m12 * t->z, Do_13e = Do_13c + Do_13d, Do_13 = D->m13 - Do_13e;
-  const float Do_23a = D->m20 * t->x, Do_23b = D->m21 * t->y, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * t->z, Do_23e = Do_23c + Do_23d, Do_23 = D->m23 - Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
+      Do_03 = D->m03 - Do_03e;
+  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
+      Do_13 = D->m13 - Do_13e;
+  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
+      Do_23 = D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1682,12 +1778,12 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
   const float p_0 = t->x - D->m03;
   const float p_1 = t->y - D->m13;
   const float p_2 = t->z - D->m23;
-  const float Do_03a = D->m00 * p_0, Do_03b = D->m10 * p_1, Do_03c = Do_03a + Do_03b,
-      Do_03d = D->m20 * p_2, Do_03 = Do_03c + Do_03d;
-  const float Do_13a = D->m01 * p_0, Do_13b = D->m11 * p_1, Do_13c = Do_13a + Do_13b,
-      Do_13d = D->m21 * p_2, Do_13 = Do_13c + Do_13d;
-  const float Do_23a = D->m02 * p_0, Do_23b = D->m12 * p_1, Do_23c = Do_23a + Do_23b,
-      Do_23d = D->m22 * p_2, Do_23 = Do_23c + Do_23d;
+  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03b = KSL_MULF(D->m10, p_1),
+      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, p_2), Do_03 = Do_03c + Do_03d;
+  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13b = KSL_MULF(D->m11, p_1),
+      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, p_2), Do_13 = Do_13c + Do_13d;
+  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23b = KSL_MULF(D->m12, p_1),
+      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, p_2), Do_23 = Do_23c + Do_23d;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1716,9 +1812,9 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m00 * k;
-  const float vo_1 = R->m10 * k;
-  const float vo_2 = R->m20 * k;
+  const float vo_0 = KSL_MULF(R->m00, k);
+  const float vo_1 = KSL_MULF(R->m10, k);
+  const float vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1731,12 +1827,18 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m01 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m11 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a + Ro_21b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m21 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m01, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m11, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m21, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1757,12 +1859,18 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a + Do_01b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m01 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a + Do_11b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m11 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a + Do_21b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m21 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m01, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m11, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a + Do_21b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m21, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -1789,9 +1897,9 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m10 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m20 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1820,9 +1928,9 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m00 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m10 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m20 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1835,12 +1943,18 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m02 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_02a = R->m01 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m12 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_12a = R->m11 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m22 * dc[0], Ro_21 = Ro_21a - Ro_21b;
-  const float Ro_22a = R->m21 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1861,12 +1975,18 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m02 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_02a = D->m01 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m12 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_12a = D->m11 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m22 * dc[0], Do_21 = Do_21a - Do_21b;
-  const float Do_22a = D->m21 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
+      Do_21 = Do_21a - Do_21b;
+  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -1893,9 +2013,9 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m00 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m10 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m20 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1924,9 +2044,9 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m01 * k;
-  const float vo_1 = R->m11 * k;
-  const float vo_2 = R->m21 * k;
+  const float vo_0 = KSL_MULF(R->m01, k);
+  const float vo_1 = KSL_MULF(R->m11, k);
+  const float vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1939,12 +2059,18 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_02a = R->m00 * dc[0], Ro_02b = R->m02 * dc[1], Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_12a = R->m10 * dc[0], Ro_12b = R->m12 * dc[1], Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_22a = R->m20 * dc[0], Ro_22b = R->m22 * dc[1], Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
+      Ro_02 = Ro_02a + Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
+      Ro_12 = Ro_12a + Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
+      Ro_22 = Ro_22a + Ro_22b;
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -1965,12 +2091,18 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_02a = D->m00 * dc[0], Do_02b = D->m02 * dc[1], Do_02 = Do_02a + Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_12a = D->m10 * dc[0], Do_12b = D->m12 * dc[1], Do_12 = Do_12a + Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_22a = D->m20 * dc[0], Do_22b = D->m22 * dc[1], Do_22 = Do_22a + Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
+      Do_02 = Do_02a + Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
+      Do_12 = Do_12a + Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
+      Do_22 = Do_22a + Do_22b;
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -1997,9 +2129,9 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m01 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m11 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m21 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2028,9 +2160,9 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m01 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m11 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m21 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2043,12 +2175,18 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m02 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_02a = R->m02 * dc[1], Ro_02b = R->m00 * dc[0], Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m12 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_12a = R->m12 * dc[1], Ro_12b = R->m10 * dc[0], Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m22 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_22a = R->m22 * dc[1], Ro_22b = R->m20 * dc[0], Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m00, dc[0]),
+      Ro_02 = Ro_02a - Ro_02b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m10, dc[0]),
+      Ro_12 = Ro_12a - Ro_12b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m20, dc[0]),
+      Ro_22 = Ro_22a - Ro_22b;
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2069,12 +2207,18 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m02 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_02a = D->m02 * dc[1], Do_02b = D->m00 * dc[0], Do_02 = Do_02a - Do_02b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m12 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_12a = D->m12 * dc[1], Do_12b = D->m10 * dc[0], Do_12 = Do_12a - Do_12b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m22 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_22a = D->m22 * dc[1], Do_22b = D->m20 * dc[0], Do_22 = Do_22a - Do_22b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m00, dc[0]),
+      Do_02 = Do_02a - Do_02b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m10, dc[0]),
+      Do_12 = Do_12a - Do_12b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m20, dc[0]),
+      Do_22 = Do_22a - Do_22b;
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -2101,9 +2245,9 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m01 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m11 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m21 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2132,9 +2276,9 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = R->m02 * k;
-  const float vo_1 = R->m12 * k;
-  const float vo_2 = R->m22 * k;
+  const float vo_0 = KSL_MULF(R->m02, k);
+  const float vo_1 = KSL_MULF(R->m12, k);
+  const float vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2147,12 +2291,18 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_01a = R->m01 * dc[1], Ro_01b = R->m00 * dc[0], Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_11a = R->m11 * dc[1], Ro_11b = R->m10 * dc[0], Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_21a = R->m21 * dc[1], Ro_21b = R->m20 * dc[0], Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a + Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m00, dc[0]),
+      Ro_01 = Ro_01a - Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a + Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m10, dc[0]),
+      Ro_11 = Ro_11a - Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a + Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m20, dc[0]),
+      Ro_21 = Ro_21a - Ro_21b;
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2173,12 +2323,18 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a + Do_00b;
-  const float Do_01a = D->m01 * dc[1], Do_01b = D->m00 * dc[0], Do_01 = Do_01a - Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a + Do_10b;
-  const float Do_11a = D->m11 * dc[1], Do_11b = D->m10 * dc[0], Do_11 = Do_11a - Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a + Do_20b;
-  const float Do_21a = D->m21 * dc[1], Do_21b = D->m20 * dc[0], Do_21 = Do_21a - Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a + Do_00b;
+  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m00, dc[0]),
+      Do_01 = Do_01a - Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a + Do_10b;
+  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m10, dc[0]),
+      Do_11 = Do_11a - Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a + Do_20b;
+  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m20, dc[0]),
+      Do_21 = Do_21a - Do_21b;
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2205,9 +2361,9 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m02 * k, Do_03 = Do_03a + D->m03;
-  const float Do_13a = D->m12 * k, Do_13 = Do_13a + D->m13;
-  const float Do_23a = D->m22 * k, Do_23 = Do_23a + D->m23;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = Do_03a + D->m03;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = Do_13a + D->m13;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = Do_23a + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2236,9 +2392,9 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = R->m02 * k, vo_0 = -vo_0a;
-  const float vo_1a = R->m12 * k, vo_1 = -vo_1a;
-  const float vo_2a = R->m22 * k, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2251,12 +2407,18 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = R->m00 * dc[1], Ro_00b = R->m01 * dc[0], Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_01a = R->m00 * dc[0], Ro_01b = R->m01 * dc[1], Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_10a = R->m10 * dc[1], Ro_10b = R->m11 * dc[0], Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_11a = R->m10 * dc[0], Ro_11b = R->m11 * dc[1], Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_20a = R->m20 * dc[1], Ro_20b = R->m21 * dc[0], Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_21a = R->m20 * dc[0], Ro_21b = R->m21 * dc[1], Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
+      Ro_00 = Ro_00a - Ro_00b;
+  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01b = KSL_MULF(R->m01, dc[1]),
+      Ro_01 = Ro_01a + Ro_01b;
+  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
+      Ro_10 = Ro_10a - Ro_10b;
+  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11b = KSL_MULF(R->m11, dc[1]),
+      Ro_11 = Ro_11a + Ro_11b;
+  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
+      Ro_20 = Ro_20a - Ro_20b;
+  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21b = KSL_MULF(R->m21, dc[1]),
+      Ro_21 = Ro_21a + Ro_21b;
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2277,12 +2439,18 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = D->m00 * dc[1], Do_00b = D->m01 * dc[0], Do_00 = Do_00a - Do_00b;
-  const float Do_01a = D->m00 * dc[0], Do_01b = D->m01 * dc[1], Do_01 = Do_01a + Do_01b;
-  const float Do_10a = D->m10 * dc[1], Do_10b = D->m11 * dc[0], Do_10 = Do_10a - Do_10b;
-  const float Do_11a = D->m10 * dc[0], Do_11b = D->m11 * dc[1], Do_11 = Do_11a + Do_11b;
-  const float Do_20a = D->m20 * dc[1], Do_20b = D->m21 * dc[0], Do_20 = Do_20a - Do_20b;
-  const float Do_21a = D->m20 * dc[0], Do_21b = D->m21 * dc[1], Do_21 = Do_21a + Do_21b;
+  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
+      Do_00 = Do_00a - Do_00b;
+  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01b = KSL_MULF(D->m01, dc[1]),
+      Do_01 = Do_01a + Do_01b;
+  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
+      Do_10 = Do_10a - Do_10b;
+  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11b = KSL_MULF(D->m11, dc[1]),
+      Do_11 = Do_11a + Do_11b;
+  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
+      Do_20 = Do_20a - Do_20b;
+  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21b = KSL_MULF(D->m21, dc[1]),
+      Do_21 = Do_21a + Do_21b;
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2309,9 +2477,9 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = D->m02 * k, Do_03 = D->m03 - Do_03a;
-  const float Do_13a = D->m12 * k, Do_13 = D->m13 - Do_13a;
-  const float Do_23a = D->m22 * k, Do_23 = D->m23 - Do_23a;
+  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = D->m03 - Do_03a;
+  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = D->m13 - Do_13a;
+  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = D->m23 - Do_23a;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;

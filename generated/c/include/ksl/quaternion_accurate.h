@@ -13,10 +13,10 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
   const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
@@ -29,6 +29,43 @@ static inline void ksl_quaternion_scale_accurate(ksl_quaternion_t *self, const d
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
   self->w = self_3_new_rounded;
+}
+
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 24 add, 4 product rest.
+   Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_axpy_qq_accurate(const double a, const ksl_quaternion_t *x,
+    ksl_quaternion_t *y) {
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x,
+      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
+      y_0_new_left_rest = ksl_product_rest(a, x->x, y_0_new_a, y_0_new_left),
+      y_0_new_right_rest = y->x - y_0_new_right,
+      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y,
+      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
+      y_1_new_left_rest = ksl_product_rest(a, x->y, y_1_new_a, y_1_new_left),
+      y_1_new_right_rest = y->y - y_1_new_right,
+      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z,
+      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
+      y_2_new_left_rest = ksl_product_rest(a, x->z, y_2_new_a, y_2_new_left),
+      y_2_new_right_rest = y->z - y_2_new_right,
+      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+  const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w,
+      y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
+      y_3_new_left_rest = ksl_product_rest(a, x->w, y_3_new_a, y_3_new_left),
+      y_3_new_right_rest = y->w - y_3_new_right,
+      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+  const double y_0_new_rounded = y_0_new + y_0_new_lo;
+  const double y_1_new_rounded = y_1_new + y_1_new_lo;
+  const double y_2_new_rounded = y_2_new + y_2_new_lo;
+  const double y_3_new_rounded = y_3_new + y_3_new_lo;
+  y->x = y_0_new_rounded;
+  y->y = y_1_new_rounded;
+  y->z = y_2_new_rounded;
+  y->w = y_3_new_rounded;
 }
 
 /* |q| = sqrt(v·v + w^2).
@@ -46,36 +83,38 @@ static inline double ksl_quaternion_norm_accurate(const ksl_quaternion_t *q) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
-      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
-      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
+      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -96,28 +135,30 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
-  const double y_3 = self->w * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
+  const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -125,10 +166,10 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
-  const double enlarged_3 = self->w * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double enlarged_3 = KSL_MUL(self->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -136,35 +177,35 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -173,11 +214,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
-      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = self_0_new_rest * down,
+      self_0_new_small = KSL_MUL(self_0_new_rest, down),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -185,11 +226,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = self_1_new_of_quotient_1 * down,
-      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
+      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = self_1_new_rest * down,
+      self_1_new_small = KSL_MUL(self_1_new_rest, down),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -197,11 +238,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = self_2_new_of_quotient_2 * down,
-      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
+      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = self_2_new_rest * down,
+      self_2_new_small = KSL_MUL(self_2_new_rest, down),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -209,11 +250,11 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = self_3_new_of_quotient_3 * down,
-      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
+      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = self_3_new_rest * down,
+      self_3_new_small = KSL_MUL(self_3_new_rest, down),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -245,28 +286,30 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = q->x * s;
-  const double y_1 = q->y * s;
-  const double y_2 = q->z * s;
-  const double y_3 = q->w * s;
+  const double y_0 = KSL_MUL(q->x, s);
+  const double y_1 = KSL_MUL(q->y, s);
+  const double y_2 = KSL_MUL(q->z, s);
+  const double y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -274,10 +317,10 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = q->x * up;
-  const double enlarged_1 = q->y * up;
-  const double enlarged_2 = q->z * up;
-  const double enlarged_3 = q->w * up;
+  const double enlarged_0 = KSL_MUL(q->x, up);
+  const double enlarged_1 = KSL_MUL(q->y, up);
+  const double enlarged_2 = KSL_MUL(q->z, up);
+  const double enlarged_3 = KSL_MUL(q->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -285,35 +328,35 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double qo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -322,36 +365,37 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       qo_0_of_quotient_0_left_rest = quotient_0 - qo_0_of_quotient_0_left,
       qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right,
       qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest,
-      qo_0 = qo_0_of_quotient_0 * down, qo_0_inverse = 1.0 / down, qo_0_back = qo_0 * qo_0_inverse,
-      qo_0_lost = qo_0_of_quotient_0 - qo_0_back, qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo,
-      qo_0_small = qo_0_rest * down, qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
+      qo_0 = KSL_MUL(qo_0_of_quotient_0, down), qo_0_inverse = 1.0 / down,
+      qo_0_back = KSL_MUL(qo_0, qo_0_inverse), qo_0_lost = qo_0_of_quotient_0 - qo_0_back,
+      qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo, qo_0_small = KSL_MUL(qo_0_rest, down),
+      qo_0_lo = qo_0_lost == 0.0 ? 0.0 : qo_0_small;
   const double qo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1,
       qo_1_of_quotient_1_left = qo_1_of_quotient_1 - qo_1_of_quotient_1_right,
       qo_1_of_quotient_1_left_rest = quotient_1 - qo_1_of_quotient_1_left,
       qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right,
       qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest,
-      qo_1 = qo_1_of_quotient_1 * down, qo_1_back = qo_1 * qo_0_inverse,
+      qo_1 = KSL_MUL(qo_1_of_quotient_1, down), qo_1_back = KSL_MUL(qo_1, qo_0_inverse),
       qo_1_lost = qo_1_of_quotient_1 - qo_1_back, qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo,
-      qo_1_small = qo_1_rest * down, qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
+      qo_1_small = KSL_MUL(qo_1_rest, down), qo_1_lo = qo_1_lost == 0.0 ? 0.0 : qo_1_small;
   const double qo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2,
       qo_2_of_quotient_2_left = qo_2_of_quotient_2 - qo_2_of_quotient_2_right,
       qo_2_of_quotient_2_left_rest = quotient_2 - qo_2_of_quotient_2_left,
       qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right,
       qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest,
-      qo_2 = qo_2_of_quotient_2 * down, qo_2_back = qo_2 * qo_0_inverse,
+      qo_2 = KSL_MUL(qo_2_of_quotient_2, down), qo_2_back = KSL_MUL(qo_2, qo_0_inverse),
       qo_2_lost = qo_2_of_quotient_2 - qo_2_back, qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo,
-      qo_2_small = qo_2_rest * down, qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
+      qo_2_small = KSL_MUL(qo_2_rest, down), qo_2_lo = qo_2_lost == 0.0 ? 0.0 : qo_2_small;
   const double qo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3,
       qo_3_of_quotient_3_left = qo_3_of_quotient_3 - qo_3_of_quotient_3_right,
       qo_3_of_quotient_3_left_rest = quotient_3 - qo_3_of_quotient_3_left,
       qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right,
       qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest,
-      qo_3 = qo_3_of_quotient_3 * down, qo_3_back = qo_3 * qo_0_inverse,
+      qo_3 = KSL_MUL(qo_3_of_quotient_3, down), qo_3_back = KSL_MUL(qo_3, qo_0_inverse),
       qo_3_lost = qo_3_of_quotient_3 - qo_3_back, qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo,
-      qo_3_small = qo_3_rest * down, qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
+      qo_3_small = KSL_MUL(qo_3_rest, down), qo_3_lo = qo_3_lost == 0.0 ? 0.0 : qo_3_small;
   const double qo_0_rounded = qo_0 + qo_0_lo,
       qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
   const double qo_1_rounded = qo_1 + qo_1_lo,
@@ -366,265 +410,71 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
   qo->w = qo_3_final;
 }
 
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
-static inline void ksl_product_qq_accurate(const ksl_quaternion_t *q1, const ksl_quaternion_t *q2,
-    ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->y * q2->z, qo_0c = q1->z * q2->y,
-      qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d, qo_0d_left = qo_0d + qo_0d_right,
-      qo_0d_left_rest = ksl_product_rest(q1->y, q2->z, qo_0b, qo_0d_left),
-      qo_0d_right_rest = ksl_product_rest(q1->z, q2->y, qo_0c, qo_0d_right),
-      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
-      qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
-      qo_0e_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0e_left),
-      qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
-      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = q1->w * q2->x, qo_0 = qo_0e + qo_0f,
-      qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
-      qo_0_right_rest = ksl_product_rest(q1->w, q2->x, qo_0f, qo_0_right),
-      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
-  const double qo_1a = q1->z * q2->x, qo_1b = q1->x * q2->z, qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->z, q2->x, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->x, q2->z, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = qo_1c + qo_1d,
-      qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
-      qo_1e_left_rest = qo_1c - qo_1e_left,
-      qo_1e_right_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1e_right),
-      qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
-      qo_1f = q1->w * q2->y, qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
-      qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
-      qo_1_right_rest = ksl_product_rest(q1->w, q2->y, qo_1f, qo_1_right),
-      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
-  const double qo_2a = q1->x * q2->y, qo_2b = q1->y * q2->x, qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->x, q2->y, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->y, q2->x, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = qo_2c + qo_2d,
-      qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
-      qo_2e_left_rest = qo_2c - qo_2e_left,
-      qo_2e_right_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2e_right),
-      qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
-      qo_2f = q1->w * q2->z, qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
-      qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
-      qo_2_right_rest = ksl_product_rest(q1->w, q2->z, qo_2f, qo_2_right),
-      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
-  const double qo_3a = q1->w * q2->w, qo_3b = q1->x * q2->x, qo_3c = q1->y * q2->y,
-      qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b, qo_3d_left = qo_3d - qo_3d_right,
-      qo_3d_left_rest = ksl_product_rest(q1->x, q2->x, qo_3b, qo_3d_left),
-      qo_3d_right_rest = ksl_product_rest(q1->y, q2->y, qo_3c, qo_3d_right),
-      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = q1->z * q2->z, qo_3f = qo_3d + qo_3e,
-      qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
-      qo_3f_left_rest = qo_3d - qo_3f_left,
-      qo_3f_right_rest = ksl_product_rest(q1->z, q2->z, qo_3e, qo_3f_right),
-      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
-      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
-      qo_3_left_rest = ksl_product_rest(q1->w, q2->w, qo_3a, qo_3_left),
-      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
-      qo_3_lo = qo_3_lo1 - qo_3f_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qconjq_accurate(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->w * q2->x, qo_0b = q1->x * q2->w, qo_0c = qo_0a - qo_0b,
-      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
-      qo_0c_left_rest = ksl_product_rest(q1->w, q2->x, qo_0a, qo_0c_left),
-      qo_0c_right_rest = ksl_product_rest(q1->x, q2->w, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
-      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
-      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
-      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
-      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->w * q2->y, qo_1e = q1->y * q2->w,
-      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->w, q2->y, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->y, q2->w, qo_1e, qo_1f_right),
-      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
-      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
-      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
-      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->w * q2->z, qo_2e = q1->z * q2->w,
-      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->w, q2->z, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->z, q2->w, qo_2e, qo_2f_right),
-      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
-      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
-      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
-      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
-      qo_3e_left_rest = qo_3c - qo_3e_left,
-      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
-      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
-      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
-      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
-      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 68 add, 16 product rest.
-   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
-     barring over- and underflow. */
-static inline void ksl_product_qqconj_accurate(const ksl_quaternion_t *q1,
-    const ksl_quaternion_t *q2, ksl_quaternion_t *qo) {
-  const double qo_0a = q1->x * q2->w, qo_0b = q1->w * q2->x, qo_0c = qo_0a - qo_0b,
-      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
-      qo_0c_left_rest = ksl_product_rest(q1->x, q2->w, qo_0a, qo_0c_left),
-      qo_0c_right_rest = ksl_product_rest(q1->w, q2->x, qo_0b, qo_0c_right),
-      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = q1->z * q2->y, qo_0e = q1->y * q2->z,
-      qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f, qo_0f_left = qo_0f + qo_0f_right,
-      qo_0f_left_rest = ksl_product_rest(q1->z, q2->y, qo_0d, qo_0f_left),
-      qo_0f_right_rest = ksl_product_rest(q1->y, q2->z, qo_0e, qo_0f_right),
-      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
-      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
-      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
-      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
-  const double qo_1a = q1->x * q2->z, qo_1b = q1->z * q2->x, qo_1c = qo_1a - qo_1b,
-      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
-      qo_1c_left_rest = ksl_product_rest(q1->x, q2->z, qo_1a, qo_1c_left),
-      qo_1c_right_rest = ksl_product_rest(q1->z, q2->x, qo_1b, qo_1c_right),
-      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = q1->y * q2->w, qo_1e = q1->w * q2->y,
-      qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f, qo_1f_left = qo_1f + qo_1f_right,
-      qo_1f_left_rest = ksl_product_rest(q1->y, q2->w, qo_1d, qo_1f_left),
-      qo_1f_right_rest = ksl_product_rest(q1->w, q2->y, qo_1e, qo_1f_right),
-      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
-      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
-      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
-      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
-  const double qo_2a = q1->y * q2->x, qo_2b = q1->x * q2->y, qo_2c = qo_2a - qo_2b,
-      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
-      qo_2c_left_rest = ksl_product_rest(q1->y, q2->x, qo_2a, qo_2c_left),
-      qo_2c_right_rest = ksl_product_rest(q1->x, q2->y, qo_2b, qo_2c_right),
-      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = q1->z * q2->w, qo_2e = q1->w * q2->z,
-      qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f, qo_2f_left = qo_2f + qo_2f_right,
-      qo_2f_left_rest = ksl_product_rest(q1->z, q2->w, qo_2d, qo_2f_left),
-      qo_2f_right_rest = ksl_product_rest(q1->w, q2->z, qo_2e, qo_2f_right),
-      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
-      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
-      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
-      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
-  const double qo_3a = q1->x * q2->x, qo_3b = q1->y * q2->y, qo_3c = qo_3a + qo_3b,
-      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
-      qo_3c_left_rest = ksl_product_rest(q1->x, q2->x, qo_3a, qo_3c_left),
-      qo_3c_right_rest = ksl_product_rest(q1->y, q2->y, qo_3b, qo_3c_right),
-      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = q1->z * q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
-      qo_3e_left_rest = qo_3c - qo_3e_left,
-      qo_3e_right_rest = ksl_product_rest(q1->z, q2->z, qo_3d, qo_3e_right),
-      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
-      qo_3f = q1->w * q2->w, qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
-      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
-      qo_3_right_rest = ksl_product_rest(q1->w, q2->w, qo_3f, qo_3_right),
-      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
-  const double qo_0_rounded = qo_0 + qo_0_lo;
-  const double qo_1_rounded = qo_1 + qo_1_lo;
-  const double qo_2_rounded = qo_2 + qo_2_lo;
-  const double qo_3_rounded = qo_3 + qo_3_lo;
-  qo->x = qo_0_rounded;
-  qo->y = qo_1_rounded;
-  qo->z = qo_2_rounded;
-  qo->w = qo_3_rounded;
-}
-
 /* vo = R(q) v, |q| = 1.
    q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
    30 mul, 75 add, 15 product rest.
    Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->y * v->z, c_0b = q->z * v->y, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
-      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->y, v->z, c_0a, c_0_left),
+  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b,
+      c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
+      c_0_left_rest = ksl_product_rest(q->y, v->z, c_0a, c_0_left),
       c_0_right_rest = ksl_product_rest(q->z, v->y, c_0b, c_0_right),
       c_0_lo = c_0_left_rest - c_0_right_rest;
-  const double c_1a = q->z * v->x, c_1b = q->x * v->z, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
-      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->z, v->x, c_1a, c_1_left),
+  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b,
+      c_1_right = c_1a - c_1, c_1_left = c_1 + c_1_right,
+      c_1_left_rest = ksl_product_rest(q->z, v->x, c_1a, c_1_left),
       c_1_right_rest = ksl_product_rest(q->x, v->z, c_1b, c_1_right),
       c_1_lo = c_1_left_rest - c_1_right_rest;
-  const double c_2a = q->x * v->y, c_2b = q->y * v->x, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
-      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->x, v->y, c_2a, c_2_left),
+  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b,
+      c_2_right = c_2a - c_2, c_2_left = c_2 + c_2_right,
+      c_2_left_rest = ksl_product_rest(q->x, v->y, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(q->y, v->x, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
-  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
-  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->y * t_2, turn_0a_cross2 = q->y * t_2_cross2, turn_0b = q->z * t_1,
-      turn_0b_cross2 = q->z * t_1_cross2, turn_0c = turn_0a - turn_0b,
-      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+  const double t_0 = KSL_MUL(2.0, c_0), t_0_cross2 = KSL_MUL(2.0, c_0_lo);
+  const double t_1 = KSL_MUL(2.0, c_1), t_1_cross2 = KSL_MUL(2.0, c_1_lo);
+  const double t_2 = KSL_MUL(2.0, c_2), t_2_cross2 = KSL_MUL(2.0, c_2_lo);
+  const double turn_0a = KSL_MUL(q->y, t_2), turn_0a_cross2 = KSL_MUL(q->y, t_2_cross2),
+      turn_0b = KSL_MUL(q->z, t_1), turn_0b_cross2 = KSL_MUL(q->z, t_1_cross2),
+      turn_0c = turn_0a - turn_0b, turn_0c_right = turn_0a - turn_0c,
+      turn_0c_left = turn_0c + turn_0c_right,
       turn_0c_left_rest = ksl_product_rest(q->y, t_2, turn_0a, turn_0c_left),
       turn_0c_right_rest = ksl_product_rest(q->z, t_1, turn_0b, turn_0c_right),
       turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
       turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
-      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
-      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = KSL_MUL(q->w, t_0),
+      turn_0d_cross2 = KSL_MUL(q->w, t_0_cross2), turn_0 = turn_0c + turn_0d,
       turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
       turn_0_left_rest = turn_0c - turn_0_left,
       turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
       turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
       turn_0_lo = turn_0_lo2 + turn_0c_lo;
-  const double turn_1a = q->z * t_0, turn_1a_cross2 = q->z * t_0_cross2, turn_1b = q->x * t_2,
-      turn_1b_cross2 = q->x * t_2_cross2, turn_1c = turn_1a - turn_1b,
-      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+  const double turn_1a = KSL_MUL(q->z, t_0), turn_1a_cross2 = KSL_MUL(q->z, t_0_cross2),
+      turn_1b = KSL_MUL(q->x, t_2), turn_1b_cross2 = KSL_MUL(q->x, t_2_cross2),
+      turn_1c = turn_1a - turn_1b, turn_1c_right = turn_1a - turn_1c,
+      turn_1c_left = turn_1c + turn_1c_right,
       turn_1c_left_rest = ksl_product_rest(q->z, t_0, turn_1a, turn_1c_left),
       turn_1c_right_rest = ksl_product_rest(q->x, t_2, turn_1b, turn_1c_right),
       turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
       turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
-      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
-      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = KSL_MUL(q->w, t_1),
+      turn_1d_cross2 = KSL_MUL(q->w, t_1_cross2), turn_1 = turn_1c + turn_1d,
       turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
       turn_1_left_rest = turn_1c - turn_1_left,
       turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
       turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
       turn_1_lo = turn_1_lo2 + turn_1c_lo;
-  const double turn_2a = q->x * t_1, turn_2a_cross2 = q->x * t_1_cross2, turn_2b = q->y * t_0,
-      turn_2b_cross2 = q->y * t_0_cross2, turn_2c = turn_2a - turn_2b,
-      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+  const double turn_2a = KSL_MUL(q->x, t_1), turn_2a_cross2 = KSL_MUL(q->x, t_1_cross2),
+      turn_2b = KSL_MUL(q->y, t_0), turn_2b_cross2 = KSL_MUL(q->y, t_0_cross2),
+      turn_2c = turn_2a - turn_2b, turn_2c_right = turn_2a - turn_2c,
+      turn_2c_left = turn_2c + turn_2c_right,
       turn_2c_left_rest = ksl_product_rest(q->x, t_1, turn_2a, turn_2c_left),
       turn_2c_right_rest = ksl_product_rest(q->y, t_0, turn_2b, turn_2c_right),
       turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
       turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
-      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
-      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = KSL_MUL(q->w, t_2),
+      turn_2d_cross2 = KSL_MUL(q->w, t_2_cross2), turn_2 = turn_2c + turn_2d,
       turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
       turn_2_left_rest = turn_2c - turn_2_left,
       turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
@@ -652,60 +502,66 @@ static inline void ksl_product_qv_accurate(const ksl_quaternion_t *q, const ksl_
    30 mul, 75 add, 15 product rest.
    Error <= u |result| + 34 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
+static inline void ksl_rotate_qconjv_accurate(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = q->z * v->y, c_0b = q->y * v->z, c_0 = c_0a - c_0b, c_0_right = c_0a - c_0,
-      c_0_left = c_0 + c_0_right, c_0_left_rest = ksl_product_rest(q->z, v->y, c_0a, c_0_left),
+  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b,
+      c_0_right = c_0a - c_0, c_0_left = c_0 + c_0_right,
+      c_0_left_rest = ksl_product_rest(q->z, v->y, c_0a, c_0_left),
       c_0_right_rest = ksl_product_rest(q->y, v->z, c_0b, c_0_right),
       c_0_lo = c_0_left_rest - c_0_right_rest;
-  const double c_1a = q->x * v->z, c_1b = q->z * v->x, c_1 = c_1a - c_1b, c_1_right = c_1a - c_1,
-      c_1_left = c_1 + c_1_right, c_1_left_rest = ksl_product_rest(q->x, v->z, c_1a, c_1_left),
+  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b,
+      c_1_right = c_1a - c_1, c_1_left = c_1 + c_1_right,
+      c_1_left_rest = ksl_product_rest(q->x, v->z, c_1a, c_1_left),
       c_1_right_rest = ksl_product_rest(q->z, v->x, c_1b, c_1_right),
       c_1_lo = c_1_left_rest - c_1_right_rest;
-  const double c_2a = q->y * v->x, c_2b = q->x * v->y, c_2 = c_2a - c_2b, c_2_right = c_2a - c_2,
-      c_2_left = c_2 + c_2_right, c_2_left_rest = ksl_product_rest(q->y, v->x, c_2a, c_2_left),
+  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b,
+      c_2_right = c_2a - c_2, c_2_left = c_2 + c_2_right,
+      c_2_left_rest = ksl_product_rest(q->y, v->x, c_2a, c_2_left),
       c_2_right_rest = ksl_product_rest(q->x, v->y, c_2b, c_2_right),
       c_2_lo = c_2_left_rest - c_2_right_rest;
-  const double t_0 = 2.0 * c_0, t_0_cross2 = 2.0 * c_0_lo;
-  const double t_1 = 2.0 * c_1, t_1_cross2 = 2.0 * c_1_lo;
-  const double t_2 = 2.0 * c_2, t_2_cross2 = 2.0 * c_2_lo;
-  const double turn_0a = q->z * t_1, turn_0a_cross2 = q->z * t_1_cross2, turn_0b = q->y * t_2,
-      turn_0b_cross2 = q->y * t_2_cross2, turn_0c = turn_0a - turn_0b,
-      turn_0c_right = turn_0a - turn_0c, turn_0c_left = turn_0c + turn_0c_right,
+  const double t_0 = KSL_MUL(2.0, c_0), t_0_cross2 = KSL_MUL(2.0, c_0_lo);
+  const double t_1 = KSL_MUL(2.0, c_1), t_1_cross2 = KSL_MUL(2.0, c_1_lo);
+  const double t_2 = KSL_MUL(2.0, c_2), t_2_cross2 = KSL_MUL(2.0, c_2_lo);
+  const double turn_0a = KSL_MUL(q->z, t_1), turn_0a_cross2 = KSL_MUL(q->z, t_1_cross2),
+      turn_0b = KSL_MUL(q->y, t_2), turn_0b_cross2 = KSL_MUL(q->y, t_2_cross2),
+      turn_0c = turn_0a - turn_0b, turn_0c_right = turn_0a - turn_0c,
+      turn_0c_left = turn_0c + turn_0c_right,
       turn_0c_left_rest = ksl_product_rest(q->z, t_1, turn_0a, turn_0c_left),
       turn_0c_right_rest = ksl_product_rest(q->y, t_2, turn_0b, turn_0c_right),
       turn_0c_cross = turn_0a_cross2 - turn_0b_cross2,
       turn_0c_lo1 = turn_0c_left_rest - turn_0c_right_rest,
-      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = q->w * t_0,
-      turn_0d_cross2 = q->w * t_0_cross2, turn_0 = turn_0c + turn_0d,
+      turn_0c_lo = turn_0c_lo1 + turn_0c_cross, turn_0d = KSL_MUL(q->w, t_0),
+      turn_0d_cross2 = KSL_MUL(q->w, t_0_cross2), turn_0 = turn_0c + turn_0d,
       turn_0_right = turn_0 - turn_0c, turn_0_left = turn_0 - turn_0_right,
       turn_0_left_rest = turn_0c - turn_0_left,
       turn_0_right_rest = ksl_product_rest(q->w, t_0, turn_0d, turn_0_right),
       turn_0_lo1 = turn_0_left_rest + turn_0_right_rest, turn_0_lo2 = turn_0_lo1 + turn_0d_cross2,
       turn_0_lo = turn_0_lo2 + turn_0c_lo;
-  const double turn_1a = q->x * t_2, turn_1a_cross2 = q->x * t_2_cross2, turn_1b = q->z * t_0,
-      turn_1b_cross2 = q->z * t_0_cross2, turn_1c = turn_1a - turn_1b,
-      turn_1c_right = turn_1a - turn_1c, turn_1c_left = turn_1c + turn_1c_right,
+  const double turn_1a = KSL_MUL(q->x, t_2), turn_1a_cross2 = KSL_MUL(q->x, t_2_cross2),
+      turn_1b = KSL_MUL(q->z, t_0), turn_1b_cross2 = KSL_MUL(q->z, t_0_cross2),
+      turn_1c = turn_1a - turn_1b, turn_1c_right = turn_1a - turn_1c,
+      turn_1c_left = turn_1c + turn_1c_right,
       turn_1c_left_rest = ksl_product_rest(q->x, t_2, turn_1a, turn_1c_left),
       turn_1c_right_rest = ksl_product_rest(q->z, t_0, turn_1b, turn_1c_right),
       turn_1c_cross = turn_1a_cross2 - turn_1b_cross2,
       turn_1c_lo1 = turn_1c_left_rest - turn_1c_right_rest,
-      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = q->w * t_1,
-      turn_1d_cross2 = q->w * t_1_cross2, turn_1 = turn_1c + turn_1d,
+      turn_1c_lo = turn_1c_lo1 + turn_1c_cross, turn_1d = KSL_MUL(q->w, t_1),
+      turn_1d_cross2 = KSL_MUL(q->w, t_1_cross2), turn_1 = turn_1c + turn_1d,
       turn_1_right = turn_1 - turn_1c, turn_1_left = turn_1 - turn_1_right,
       turn_1_left_rest = turn_1c - turn_1_left,
       turn_1_right_rest = ksl_product_rest(q->w, t_1, turn_1d, turn_1_right),
       turn_1_lo1 = turn_1_left_rest + turn_1_right_rest, turn_1_lo2 = turn_1_lo1 + turn_1d_cross2,
       turn_1_lo = turn_1_lo2 + turn_1c_lo;
-  const double turn_2a = q->y * t_0, turn_2a_cross2 = q->y * t_0_cross2, turn_2b = q->x * t_1,
-      turn_2b_cross2 = q->x * t_1_cross2, turn_2c = turn_2a - turn_2b,
-      turn_2c_right = turn_2a - turn_2c, turn_2c_left = turn_2c + turn_2c_right,
+  const double turn_2a = KSL_MUL(q->y, t_0), turn_2a_cross2 = KSL_MUL(q->y, t_0_cross2),
+      turn_2b = KSL_MUL(q->x, t_1), turn_2b_cross2 = KSL_MUL(q->x, t_1_cross2),
+      turn_2c = turn_2a - turn_2b, turn_2c_right = turn_2a - turn_2c,
+      turn_2c_left = turn_2c + turn_2c_right,
       turn_2c_left_rest = ksl_product_rest(q->y, t_0, turn_2a, turn_2c_left),
       turn_2c_right_rest = ksl_product_rest(q->x, t_1, turn_2b, turn_2c_right),
       turn_2c_cross = turn_2a_cross2 - turn_2b_cross2,
       turn_2c_lo1 = turn_2c_left_rest - turn_2c_right_rest,
-      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = q->w * t_2,
-      turn_2d_cross2 = q->w * t_2_cross2, turn_2 = turn_2c + turn_2d,
+      turn_2c_lo = turn_2c_lo1 + turn_2c_cross, turn_2d = KSL_MUL(q->w, t_2),
+      turn_2d_cross2 = KSL_MUL(q->w, t_2_cross2), turn_2 = turn_2c + turn_2d,
       turn_2_right = turn_2 - turn_2c, turn_2_left = turn_2 - turn_2_right,
       turn_2_left_rest = turn_2c - turn_2_left,
       turn_2_right_rest = ksl_product_rest(q->w, t_2, turn_2d, turn_2_right),
@@ -728,16 +584,1690 @@ static inline void ksl_product_qconjv_accurate(const ksl_quaternion_t *q, const 
   vo->z = vo_2_rounded;
 }
 
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qq_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->y, q2i->z),
+      qo_0c = KSL_MUL(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(q1i->y, q2i->z, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(q1i->z, q2i->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0e = qo_0a + qo_0d,
+      qo_0e_right = qo_0e - qo_0a, qo_0e_left = qo_0e - qo_0e_right,
+      qo_0e_left_rest = ksl_product_rest(q1i->x, q2i->w, qo_0a, qo_0e_left),
+      qo_0e_right_rest = qo_0d - qo_0e_right, qo_0e_lo1 = qo_0e_left_rest + qo_0e_right_rest,
+      qo_0e_lo = qo_0e_lo1 + qo_0d_lo, qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f,
+      qo_0_right = qo_0 - qo_0e, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->z, q2i->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->x, q2i->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = qo_1c + qo_1d, qo_1e_right = qo_1e - qo_1c, qo_1e_left = qo_1e - qo_1e_right,
+      qo_1e_left_rest = qo_1c - qo_1e_left,
+      qo_1e_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1e_right),
+      qo_1e_lo1 = qo_1e_left_rest + qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f, qo_1_right = qo_1 - qo_1e,
+      qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->x, q2i->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->y, q2i->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = qo_2c + qo_2d, qo_2e_right = qo_2e - qo_2c, qo_2e_left = qo_2e - qo_2e_right,
+      qo_2e_left_rest = qo_2c - qo_2e_left,
+      qo_2e_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2e_right),
+      qo_2e_lo1 = qo_2e_left_rest + qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f, qo_2_right = qo_2 - qo_2e,
+      qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
+      qo_3d_left = qo_3d - qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3f_left_rest = qo_3d - qo_3f_left,
+      qo_3f_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right),
+      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
+      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3_left),
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
+      qo_3_lo = qo_3_lo1 - qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qqconj_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->w, q2i->x),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->x, q2i->w, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->z, q2i->y),
+      qo_0e = KSL_MUL(q1i->y, q2i->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1i->z, q2i->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1i->y, q2i->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->x, q2i->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->z, q2i->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = KSL_MUL(q1i->w, q2i->y), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->y, q2i->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->x, q2i->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = KSL_MUL(q1i->w, q2i->z), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1i->z, q2i->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_quaternion_product_qconjq_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0b = KSL_MUL(q1i->x, q2i->w),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->w, q2i->x, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->x, q2i->w, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->z, q2i->y),
+      qo_0e = KSL_MUL(q1i->y, q2i->z), qo_0f = qo_0d - qo_0e, qo_0f_right = qo_0d - qo_0f,
+      qo_0f_left = qo_0f + qo_0f_right,
+      qo_0f_left_rest = ksl_product_rest(q1i->z, q2i->y, qo_0d, qo_0f_left),
+      qo_0f_right_rest = ksl_product_rest(q1i->y, q2i->z, qo_0e, qo_0f_right),
+      qo_0f_lo = qo_0f_left_rest - qo_0f_right_rest, qo_0 = qo_0c + qo_0f,
+      qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right, qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = qo_0f - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo2 = qo_0_lo1 + qo_0f_lo, qo_0_lo = qo_0_lo2 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->x, q2i->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->z, q2i->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->w, q2i->y),
+      qo_1e = KSL_MUL(q1i->y, q2i->w), qo_1f = qo_1d - qo_1e, qo_1f_right = qo_1d - qo_1f,
+      qo_1f_left = qo_1f + qo_1f_right,
+      qo_1f_left_rest = ksl_product_rest(q1i->w, q2i->y, qo_1d, qo_1f_left),
+      qo_1f_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1e, qo_1f_right),
+      qo_1f_lo = qo_1f_left_rest - qo_1f_right_rest, qo_1 = qo_1c + qo_1f,
+      qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right, qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = qo_1f - qo_1_right, qo_1_lo1 = qo_1_left_rest + qo_1_right_rest,
+      qo_1_lo2 = qo_1_lo1 + qo_1f_lo, qo_1_lo = qo_1_lo2 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->y, q2i->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->x, q2i->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->w, q2i->z),
+      qo_2e = KSL_MUL(q1i->z, q2i->w), qo_2f = qo_2d - qo_2e, qo_2f_right = qo_2d - qo_2f,
+      qo_2f_left = qo_2f + qo_2f_right,
+      qo_2f_left_rest = ksl_product_rest(q1i->w, q2i->z, qo_2d, qo_2f_left),
+      qo_2f_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2e, qo_2f_right),
+      qo_2f_lo = qo_2f_left_rest - qo_2f_right_rest, qo_2 = qo_2c + qo_2f,
+      qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right, qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = qo_2f - qo_2_right, qo_2_lo1 = qo_2_left_rest + qo_2_right_rest,
+      qo_2_lo2 = qo_2_lo1 + qo_2f_lo, qo_2_lo = qo_2_lo2 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
+      qo_3c = qo_3a + qo_3b, qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(q1i->z, q2i->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f, qo_3_right = qo_3 - qo_3e,
+      qo_3_left = qo_3 - qo_3_right, qo_3_left_rest = qo_3e - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(q1i->w, q2i->w, qo_3f, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 68 add, 16 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qconjqconj_accurate(const ksl_quaternion_t *q1i,
+    const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0b = KSL_MUL(q1i->z, q2i->y),
+      qo_0c = qo_0a - qo_0b, qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(q1i->y, q2i->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(q1i->z, q2i->y, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(q1i->x, q2i->w),
+      qo_0e = qo_0c - qo_0d, qo_0e_right = qo_0c - qo_0e, qo_0e_left = qo_0e + qo_0e_right,
+      qo_0e_left_rest = qo_0c - qo_0e_left,
+      qo_0e_right_rest = ksl_product_rest(q1i->x, q2i->w, qo_0d, qo_0e_right),
+      qo_0e_lo1 = qo_0e_left_rest - qo_0e_right_rest, qo_0e_lo = qo_0e_lo1 + qo_0c_lo,
+      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f, qo_0_right = qo_0e - qo_0,
+      qo_0_left = qo_0 + qo_0_right, qo_0_left_rest = qo_0e - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(q1i->w, q2i->x, qo_0f, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest - qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0e_lo;
+  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
+      qo_1c = qo_1a - qo_1b, qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(q1i->z, q2i->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(q1i->x, q2i->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(q1i->y, q2i->w),
+      qo_1e = qo_1c - qo_1d, qo_1e_right = qo_1c - qo_1e, qo_1e_left = qo_1e + qo_1e_right,
+      qo_1e_left_rest = qo_1c - qo_1e_left,
+      qo_1e_right_rest = ksl_product_rest(q1i->y, q2i->w, qo_1d, qo_1e_right),
+      qo_1e_lo1 = qo_1e_left_rest - qo_1e_right_rest, qo_1e_lo = qo_1e_lo1 + qo_1c_lo,
+      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f, qo_1_right = qo_1e - qo_1,
+      qo_1_left = qo_1 + qo_1_right, qo_1_left_rest = qo_1e - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(q1i->w, q2i->y, qo_1f, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest - qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1e_lo;
+  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
+      qo_2c = qo_2a - qo_2b, qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(q1i->x, q2i->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(q1i->y, q2i->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(q1i->z, q2i->w),
+      qo_2e = qo_2c - qo_2d, qo_2e_right = qo_2c - qo_2e, qo_2e_left = qo_2e + qo_2e_right,
+      qo_2e_left_rest = qo_2c - qo_2e_left,
+      qo_2e_right_rest = ksl_product_rest(q1i->z, q2i->w, qo_2d, qo_2e_right),
+      qo_2e_lo1 = qo_2e_left_rest - qo_2e_right_rest, qo_2e_lo = qo_2e_lo1 + qo_2c_lo,
+      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f, qo_2_right = qo_2e - qo_2,
+      qo_2_left = qo_2 + qo_2_right, qo_2_left_rest = qo_2e - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(q1i->w, q2i->z, qo_2f, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest - qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2e_lo;
+  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
+      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3d_right = qo_3d - qo_3b,
+      qo_3d_left = qo_3d - qo_3d_right,
+      qo_3d_left_rest = ksl_product_rest(q1i->x, q2i->x, qo_3b, qo_3d_left),
+      qo_3d_right_rest = ksl_product_rest(q1i->y, q2i->y, qo_3c, qo_3d_right),
+      qo_3d_lo = qo_3d_left_rest + qo_3d_right_rest, qo_3e = KSL_MUL(q1i->z, q2i->z),
+      qo_3f = qo_3d + qo_3e, qo_3f_right = qo_3f - qo_3d, qo_3f_left = qo_3f - qo_3f_right,
+      qo_3f_left_rest = qo_3d - qo_3f_left,
+      qo_3f_right_rest = ksl_product_rest(q1i->z, q2i->z, qo_3e, qo_3f_right),
+      qo_3f_lo1 = qo_3f_left_rest + qo_3f_right_rest, qo_3f_lo = qo_3f_lo1 + qo_3d_lo,
+      qo_3 = qo_3a - qo_3f, qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(q1i->w, q2i->w, qo_3a, qo_3_left),
+      qo_3_right_rest = qo_3f - qo_3_right, qo_3_lo1 = qo_3_left_rest - qo_3_right_rest,
+      qo_3_lo = qo_3_lo1 - qo_3f_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->z, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->x, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->w), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->w, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->y, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->x, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qxconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->w, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->y, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->x, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqx_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->y, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqxconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->x, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqx_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->w, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->z, dci[0], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->x, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqxconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->w, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->z, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->y, dci[0], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->x, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->x, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->y, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->z), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->z, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->w, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->y, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qyconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->z, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->w, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->y, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqy_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqyconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->x, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->y, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqy_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->z, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->w, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->y, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqyconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->z, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->w, dci[0], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->x, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->y, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->y), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[1], qi->x, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[0], qi->y, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->z, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjq_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[1], qi->y, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[0], qi->x, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(dci[1], qi->z, qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(dci[0], qi->w, qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[0], qi->z, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[1], qi->w, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qzconjqconj_accurate(const double dci[2],
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(dci[0], qi->y, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(dci[1], qi->x, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(dci[0], qi->x, qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(dci[1], qi->y, qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(dci[0], qi->w, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(dci[1], qi->z, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(dci[1], qi->w, qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(dci[0], qi->z, qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqz_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a + qo_0b,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest + qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->y, dci[1], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->x, dci[0], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b,
+      qo_2_right = qo_2 - qo_2a, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest + qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qqzconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b,
+      qo_1_right = qo_1 - qo_1a, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest + qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->z, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 2 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqz_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]),
+      qo_0c = qo_0a + qo_0b, qo_0c_right = qo_0c - qo_0a, qo_0c_left = qo_0c - qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->x, dci[1], qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->y, dci[0], qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest + qo_0c_right_rest, qo_0 = -qo_0c, qo_0_lo = -qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b,
+      qo_1_right = qo_1a - qo_1, qo_1_left = qo_1 + qo_1_right,
+      qo_1_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1_left),
+      qo_1_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1_right),
+      qo_1_lo = qo_1_left_rest - qo_1_right_rest;
+  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b,
+      qo_2_right = qo_2a - qo_2, qo_2_left = qo_2 + qo_2_right,
+      qo_2_left_rest = ksl_product_rest(qi->w, dci[0], qo_2a, qo_2_left),
+      qo_2_right_rest = ksl_product_rest(qi->z, dci[1], qo_2b, qo_2_right),
+      qo_2_lo = qo_2_left_rest - qo_2_right_rest;
+  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b,
+      qo_3_right = qo_3 - qo_3a, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->z, dci[0], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->w, dci[1], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest + qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 20 add, 8 product rest, 4 neg.
+   Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_quaternion_product_qconjqzconj_accurate(const ksl_quaternion_t *qi,
+    const double dci[2], ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b,
+      qo_0_right = qo_0a - qo_0, qo_0_left = qo_0 + qo_0_right,
+      qo_0_left_rest = ksl_product_rest(qi->y, dci[0], qo_0a, qo_0_left),
+      qo_0_right_rest = ksl_product_rest(qi->x, dci[1], qo_0b, qo_0_right),
+      qo_0_lo = qo_0_left_rest - qo_0_right_rest;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]),
+      qo_1c = qo_1a + qo_1b, qo_1c_right = qo_1c - qo_1a, qo_1c_left = qo_1c - qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->x, dci[0], qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->y, dci[1], qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest + qo_1c_right_rest, qo_1 = -qo_1c, qo_1_lo = -qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
+      qo_2c = qo_2a + qo_2b, qo_2c_right = qo_2c - qo_2a, qo_2c_left = qo_2c - qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->z, dci[1], qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->w, dci[0], qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest + qo_2c_right_rest, qo_2 = -qo_2c, qo_2_lo = -qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b,
+      qo_3_right = qo_3a - qo_3, qo_3_left = qo_3 + qo_3_right,
+      qo_3_left_rest = ksl_product_rest(qi->w, dci[1], qo_3a, qo_3_left),
+      qo_3_right_rest = ksl_product_rest(qi->z, dci[0], qo_3b, qo_3_right),
+      qo_3_lo = qo_3_left_rest - qo_3_right_rest;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 44 add, 12 product rest, 2 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qv_accurate(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0b = KSL_MUL(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->y, vi->z, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->z, vi->y, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(qi->w, vi->x),
+      qo_0 = qo_0c + qo_0d, qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1b = KSL_MUL(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->z, vi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->x, vi->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(qi->w, vi->y),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2b = KSL_MUL(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->x, vi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->y, vi->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(qi->w, vi->z),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(qi->x, vi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(qi->z, vi->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(qi->z, vi->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3 = -qo_3e, qo_3_lo = -qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 44 add, 12 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_qconjv_accurate(const ksl_quaternion_t *qi,
+    const ksl_vec3_t *vi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0b = KSL_MUL(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
+      qo_0c_right = qo_0a - qo_0c, qo_0c_left = qo_0c + qo_0c_right,
+      qo_0c_left_rest = ksl_product_rest(qi->z, vi->y, qo_0a, qo_0c_left),
+      qo_0c_right_rest = ksl_product_rest(qi->y, vi->z, qo_0b, qo_0c_right),
+      qo_0c_lo = qo_0c_left_rest - qo_0c_right_rest, qo_0d = KSL_MUL(qi->w, vi->x),
+      qo_0 = qo_0c + qo_0d, qo_0_right = qo_0 - qo_0c, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = qo_0c - qo_0_left,
+      qo_0_right_rest = ksl_product_rest(qi->w, vi->x, qo_0d, qo_0_right),
+      qo_0_lo1 = qo_0_left_rest + qo_0_right_rest, qo_0_lo = qo_0_lo1 + qo_0c_lo;
+  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1b = KSL_MUL(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(qi->x, vi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(qi->z, vi->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(qi->w, vi->y),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(qi->w, vi->y, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2b = KSL_MUL(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(qi->y, vi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(qi->x, vi->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(qi->w, vi->z),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(qi->w, vi->z, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(qi->x, vi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(qi->y, vi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(qi->z, vi->z),
+      qo_3 = qo_3c + qo_3d, qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(qi->z, vi->z, qo_3d, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3c_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 44 add, 12 product rest, 2 neg.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_vq_accurate(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->y, qi->z),
+      qo_0c = KSL_MUL(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(vi->y, qi->z, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(vi->z, qi->y, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0 = qo_0a + qo_0d,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(vi->x, qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0d - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo = qo_0_lo1 + qo_0d_lo;
+  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1b = KSL_MUL(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(vi->z, qi->x, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(vi->x, qi->z, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(vi->y, qi->w),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2b = KSL_MUL(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(vi->x, qi->y, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(vi->y, qi->x, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(vi->z, qi->w),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(vi->x, qi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(vi->z, qi->z),
+      qo_3e = qo_3c + qo_3d, qo_3e_right = qo_3e - qo_3c, qo_3e_left = qo_3e - qo_3e_right,
+      qo_3e_left_rest = qo_3c - qo_3e_left,
+      qo_3e_right_rest = ksl_product_rest(vi->z, qi->z, qo_3d, qo_3e_right),
+      qo_3e_lo1 = qo_3e_left_rest + qo_3e_right_rest, qo_3e_lo = qo_3e_lo1 + qo_3c_lo,
+      qo_3 = -qo_3e, qo_3_lo = -qo_3e_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 44 add, 12 product rest.
+   Error <= u |result| + 11 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_quaternion_product_vqconj_accurate(const ksl_vec3_t *vi,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
+  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->z, qi->y),
+      qo_0c = KSL_MUL(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0d_right = qo_0b - qo_0d,
+      qo_0d_left = qo_0d + qo_0d_right,
+      qo_0d_left_rest = ksl_product_rest(vi->z, qi->y, qo_0b, qo_0d_left),
+      qo_0d_right_rest = ksl_product_rest(vi->y, qi->z, qo_0c, qo_0d_right),
+      qo_0d_lo = qo_0d_left_rest - qo_0d_right_rest, qo_0 = qo_0a + qo_0d,
+      qo_0_right = qo_0 - qo_0a, qo_0_left = qo_0 - qo_0_right,
+      qo_0_left_rest = ksl_product_rest(vi->x, qi->w, qo_0a, qo_0_left),
+      qo_0_right_rest = qo_0d - qo_0_right, qo_0_lo1 = qo_0_left_rest + qo_0_right_rest,
+      qo_0_lo = qo_0_lo1 + qo_0d_lo;
+  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1b = KSL_MUL(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
+      qo_1c_right = qo_1a - qo_1c, qo_1c_left = qo_1c + qo_1c_right,
+      qo_1c_left_rest = ksl_product_rest(vi->x, qi->z, qo_1a, qo_1c_left),
+      qo_1c_right_rest = ksl_product_rest(vi->z, qi->x, qo_1b, qo_1c_right),
+      qo_1c_lo = qo_1c_left_rest - qo_1c_right_rest, qo_1d = KSL_MUL(vi->y, qi->w),
+      qo_1 = qo_1c + qo_1d, qo_1_right = qo_1 - qo_1c, qo_1_left = qo_1 - qo_1_right,
+      qo_1_left_rest = qo_1c - qo_1_left,
+      qo_1_right_rest = ksl_product_rest(vi->y, qi->w, qo_1d, qo_1_right),
+      qo_1_lo1 = qo_1_left_rest + qo_1_right_rest, qo_1_lo = qo_1_lo1 + qo_1c_lo;
+  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2b = KSL_MUL(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
+      qo_2c_right = qo_2a - qo_2c, qo_2c_left = qo_2c + qo_2c_right,
+      qo_2c_left_rest = ksl_product_rest(vi->y, qi->x, qo_2a, qo_2c_left),
+      qo_2c_right_rest = ksl_product_rest(vi->x, qi->y, qo_2b, qo_2c_right),
+      qo_2c_lo = qo_2c_left_rest - qo_2c_right_rest, qo_2d = KSL_MUL(vi->z, qi->w),
+      qo_2 = qo_2c + qo_2d, qo_2_right = qo_2 - qo_2c, qo_2_left = qo_2 - qo_2_right,
+      qo_2_left_rest = qo_2c - qo_2_left,
+      qo_2_right_rest = ksl_product_rest(vi->z, qi->w, qo_2d, qo_2_right),
+      qo_2_lo1 = qo_2_left_rest + qo_2_right_rest, qo_2_lo = qo_2_lo1 + qo_2c_lo;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
+      qo_3c_right = qo_3c - qo_3a, qo_3c_left = qo_3c - qo_3c_right,
+      qo_3c_left_rest = ksl_product_rest(vi->x, qi->x, qo_3a, qo_3c_left),
+      qo_3c_right_rest = ksl_product_rest(vi->y, qi->y, qo_3b, qo_3c_right),
+      qo_3c_lo = qo_3c_left_rest + qo_3c_right_rest, qo_3d = KSL_MUL(vi->z, qi->z),
+      qo_3 = qo_3c + qo_3d, qo_3_right = qo_3 - qo_3c, qo_3_left = qo_3 - qo_3_right,
+      qo_3_left_rest = qo_3c - qo_3_left,
+      qo_3_right_rest = ksl_product_rest(vi->z, qi->z, qo_3d, qo_3_right),
+      qo_3_lo1 = qo_3_left_rest + qo_3_right_rest, qo_3_lo = qo_3_lo1 + qo_3c_lo;
+  const double qo_0_rounded = qo_0 + qo_0_lo;
+  const double qo_1_rounded = qo_1 + qo_1_lo;
+  const double qo_2_rounded = qo_2 + qo_2_lo;
+  const double qo_3_rounded = qo_3 + qo_3_lo;
+  qo->x = qo_0_rounded;
+  qo->y = qo_1_rounded;
+  qo->z = qo_2_rounded;
+  qo->w = qo_3_rounded;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 17 add, 4 product rest.
+   Error <= u |result| + 17 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline double ksl_dot_qq_accurate(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
+  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_b = KSL_MUL(q1i->y, q2i->y),
+      dot_c = dot_a + dot_b, dot_c_right = dot_c - dot_a, dot_c_left = dot_c - dot_c_right,
+      dot_c_left_rest = ksl_product_rest(q1i->x, q2i->x, dot_a, dot_c_left),
+      dot_c_right_rest = ksl_product_rest(q1i->y, q2i->y, dot_b, dot_c_right),
+      dot_c_lo = dot_c_left_rest + dot_c_right_rest, dot_d = KSL_MUL(q1i->z, q2i->z),
+      dot_e = dot_c + dot_d, dot_e_right = dot_e - dot_c, dot_e_left = dot_e - dot_e_right,
+      dot_e_left_rest = dot_c - dot_e_left,
+      dot_e_right_rest = ksl_product_rest(q1i->z, q2i->z, dot_d, dot_e_right),
+      dot_e_lo1 = dot_e_left_rest + dot_e_right_rest, dot_e_lo = dot_e_lo1 + dot_c_lo,
+      dot_f = KSL_MUL(q1i->w, q2i->w), dot = dot_e + dot_f, dot_right = dot - dot_e,
+      dot_left = dot - dot_right, dot_left_rest = dot_e - dot_left,
+      dot_right_rest = ksl_product_rest(q1i->w, q2i->w, dot_f, dot_right),
+      dot_lo1 = dot_left_rest + dot_right_rest, dot_lo = dot_lo1 + dot_e_lo;
+  const double dot_rounded = dot + dot_lo;
+  return dot_rounded;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 72 add, 12 product rest.
+   Error <= u |result| + 15 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_dpiToq_accurate(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->w),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = KSL_MUL(0.5, dpi->y), qi_0_new_f = KSL_MUL(qi_0_new_e, qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_g_right = qi_0_new_d - qi_0_new_g,
+      qi_0_new_g_left = qi_0_new_g + qi_0_new_g_right,
+      qi_0_new_g_left_rest = ksl_product_rest(qi_0_new_c, qi->y, qi_0_new_d, qi_0_new_g_left),
+      qi_0_new_g_right_rest = ksl_product_rest(qi_0_new_e, qi->z, qi_0_new_f, qi_0_new_g_right),
+      qi_0_new_g_lo = qi_0_new_g_left_rest - qi_0_new_g_right_rest,
+      qi_0_new_h = qi_0_new_b + qi_0_new_g, qi_0_new_h_right = qi_0_new_h - qi_0_new_b,
+      qi_0_new_h_left = qi_0_new_h - qi_0_new_h_right,
+      qi_0_new_h_left_rest = ksl_product_rest(qi_0_new_a, qi->w, qi_0_new_b, qi_0_new_h_left),
+      qi_0_new_h_right_rest = qi_0_new_g - qi_0_new_h_right,
+      qi_0_new_h_lo1 = qi_0_new_h_left_rest + qi_0_new_h_right_rest,
+      qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_g_lo, qi_0_new = qi_0_new_h + qi->x,
+      qi_0_new_right = qi_0_new - qi_0_new_h, qi_0_new_left = qi_0_new - qi_0_new_right,
+      qi_0_new_left_rest = qi_0_new_h - qi_0_new_left, qi_0_new_right_rest = qi->x - qi_0_new_right,
+      qi_0_new_lo1 = qi_0_new_left_rest + qi_0_new_right_rest,
+      qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z), qi_1_new_b = KSL_MUL(qi_0_new_c, qi->x),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_c_right = qi_1_new_a - qi_1_new_c,
+      qi_1_new_c_left = qi_1_new_c + qi_1_new_c_right,
+      qi_1_new_c_left_rest = ksl_product_rest(qi_0_new_a, qi->z, qi_1_new_a, qi_1_new_c_left),
+      qi_1_new_c_right_rest = ksl_product_rest(qi_0_new_c, qi->x, qi_1_new_b, qi_1_new_c_right),
+      qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest,
+      qi_1_new_d = KSL_MUL(qi_0_new_e, qi->w), qi_1_new_e = qi_1_new_c + qi_1_new_d,
+      qi_1_new_e_right = qi_1_new_e - qi_1_new_c, qi_1_new_e_left = qi_1_new_e - qi_1_new_e_right,
+      qi_1_new_e_left_rest = qi_1_new_c - qi_1_new_e_left,
+      qi_1_new_e_right_rest = ksl_product_rest(qi_0_new_e, qi->w, qi_1_new_d, qi_1_new_e_right),
+      qi_1_new_e_lo1 = qi_1_new_e_left_rest + qi_1_new_e_right_rest,
+      qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo, qi_1_new = qi_1_new_e + qi->y,
+      qi_1_new_right = qi_1_new - qi_1_new_e, qi_1_new_left = qi_1_new - qi_1_new_right,
+      qi_1_new_left_rest = qi_1_new_e - qi_1_new_left, qi_1_new_right_rest = qi->y - qi_1_new_right,
+      qi_1_new_lo1 = qi_1_new_left_rest + qi_1_new_right_rest,
+      qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_c_right = qi_2_new_a - qi_2_new_c,
+      qi_2_new_c_left = qi_2_new_c + qi_2_new_c_right,
+      qi_2_new_c_left_rest = ksl_product_rest(qi_0_new_e, qi->x, qi_2_new_a, qi_2_new_c_left),
+      qi_2_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->y, qi_2_new_b, qi_2_new_c_right),
+      qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w), qi_2_new_e = qi_2_new_c + qi_2_new_d,
+      qi_2_new_e_right = qi_2_new_e - qi_2_new_c, qi_2_new_e_left = qi_2_new_e - qi_2_new_e_right,
+      qi_2_new_e_left_rest = qi_2_new_c - qi_2_new_e_left,
+      qi_2_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->w, qi_2_new_d, qi_2_new_e_right),
+      qi_2_new_e_lo1 = qi_2_new_e_left_rest + qi_2_new_e_right_rest,
+      qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo, qi_2_new = qi_2_new_e + qi->z,
+      qi_2_new_right = qi_2_new - qi_2_new_e, qi_2_new_left = qi_2_new - qi_2_new_right,
+      qi_2_new_left_rest = qi_2_new_e - qi_2_new_left, qi_2_new_right_rest = qi->z - qi_2_new_right,
+      qi_2_new_lo1 = qi_2_new_left_rest + qi_2_new_right_rest,
+      qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_e, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_c_right = qi_3_new_c - qi_3_new_a,
+      qi_3_new_c_left = qi_3_new_c - qi_3_new_c_right,
+      qi_3_new_c_left_rest = ksl_product_rest(qi_0_new_a, qi->x, qi_3_new_a, qi_3_new_c_left),
+      qi_3_new_c_right_rest = ksl_product_rest(qi_0_new_e, qi->y, qi_3_new_b, qi_3_new_c_right),
+      qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new_e_right = qi_3_new_e - qi_3_new_c, qi_3_new_e_left = qi_3_new_e - qi_3_new_e_right,
+      qi_3_new_e_left_rest = qi_3_new_c - qi_3_new_e_left,
+      qi_3_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->z, qi_3_new_d, qi_3_new_e_right),
+      qi_3_new_e_lo1 = qi_3_new_e_left_rest + qi_3_new_e_right_rest,
+      qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo, qi_3_new = qi->w - qi_3_new_e,
+      qi_3_new_right = qi->w - qi_3_new, qi_3_new_left = qi_3_new + qi_3_new_right,
+      qi_3_new_left_rest = qi->w - qi_3_new_left, qi_3_new_right_rest = qi_3_new_e - qi_3_new_right,
+      qi_3_new_lo1 = qi_3_new_left_rest - qi_3_new_right_rest,
+      qi_3_new_lo = qi_3_new_lo1 - qi_3_new_e_lo;
+  const double qi_0_new_rounded = qi_0_new + qi_0_new_lo;
+  const double qi_1_new_rounded = qi_1_new + qi_1_new_lo;
+  const double qi_2_new_rounded = qi_2_new + qi_2_new_lo;
+  const double qi_3_new_rounded = qi_3_new + qi_3_new_lo;
+  qi->x = qi_0_new_rounded;
+  qi->y = qi_1_new_rounded;
+  qi->z = qi_2_new_rounded;
+  qi->w = qi_3_new_rounded;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 72 add, 12 product rest.
+   Error <= u |result| + 15 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_dpiFromq_accurate(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
+      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_e_right = qi_0_new_b - qi_0_new_e,
+      qi_0_new_e_left = qi_0_new_e + qi_0_new_e_right,
+      qi_0_new_e_left_rest = ksl_product_rest(qi_0_new_a, qi->z, qi_0_new_b, qi_0_new_e_left),
+      qi_0_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->y, qi_0_new_d, qi_0_new_e_right),
+      qi_0_new_e_lo = qi_0_new_e_left_rest - qi_0_new_e_right_rest,
+      qi_0_new_f = KSL_MUL(0.5, dpi->x), qi_0_new_g = KSL_MUL(qi_0_new_f, qi->w),
+      qi_0_new_h = qi_0_new_e - qi_0_new_g, qi_0_new_h_right = qi_0_new_e - qi_0_new_h,
+      qi_0_new_h_left = qi_0_new_h + qi_0_new_h_right,
+      qi_0_new_h_left_rest = qi_0_new_e - qi_0_new_h_left,
+      qi_0_new_h_right_rest = ksl_product_rest(qi_0_new_f, qi->w, qi_0_new_g, qi_0_new_h_right),
+      qi_0_new_h_lo1 = qi_0_new_h_left_rest - qi_0_new_h_right_rest,
+      qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_e_lo, qi_0_new = qi_0_new_h + qi->x,
+      qi_0_new_right = qi_0_new - qi_0_new_h, qi_0_new_left = qi_0_new - qi_0_new_right,
+      qi_0_new_left_rest = qi_0_new_h - qi_0_new_left, qi_0_new_right_rest = qi->x - qi_0_new_right,
+      qi_0_new_lo1 = qi_0_new_left_rest + qi_0_new_right_rest,
+      qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x), qi_1_new_b = KSL_MUL(qi_0_new_f, qi->z),
+      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_c_right = qi_1_new_a - qi_1_new_c,
+      qi_1_new_c_left = qi_1_new_c + qi_1_new_c_right,
+      qi_1_new_c_left_rest = ksl_product_rest(qi_0_new_c, qi->x, qi_1_new_a, qi_1_new_c_left),
+      qi_1_new_c_right_rest = ksl_product_rest(qi_0_new_f, qi->z, qi_1_new_b, qi_1_new_c_right),
+      qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest,
+      qi_1_new_d = KSL_MUL(qi_0_new_a, qi->w), qi_1_new_e = qi_1_new_c - qi_1_new_d,
+      qi_1_new_e_right = qi_1_new_c - qi_1_new_e, qi_1_new_e_left = qi_1_new_e + qi_1_new_e_right,
+      qi_1_new_e_left_rest = qi_1_new_c - qi_1_new_e_left,
+      qi_1_new_e_right_rest = ksl_product_rest(qi_0_new_a, qi->w, qi_1_new_d, qi_1_new_e_right),
+      qi_1_new_e_lo1 = qi_1_new_e_left_rest - qi_1_new_e_right_rest,
+      qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo, qi_1_new = qi_1_new_e + qi->y,
+      qi_1_new_right = qi_1_new - qi_1_new_e, qi_1_new_left = qi_1_new - qi_1_new_right,
+      qi_1_new_left_rest = qi_1_new_e - qi_1_new_left, qi_1_new_right_rest = qi->y - qi_1_new_right,
+      qi_1_new_lo1 = qi_1_new_left_rest + qi_1_new_right_rest,
+      qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->x),
+      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_c_right = qi_2_new_a - qi_2_new_c,
+      qi_2_new_c_left = qi_2_new_c + qi_2_new_c_right,
+      qi_2_new_c_left_rest = ksl_product_rest(qi_0_new_f, qi->y, qi_2_new_a, qi_2_new_c_left),
+      qi_2_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->x, qi_2_new_b, qi_2_new_c_right),
+      qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w), qi_2_new_e = qi_2_new_c - qi_2_new_d,
+      qi_2_new_e_right = qi_2_new_c - qi_2_new_e, qi_2_new_e_left = qi_2_new_e + qi_2_new_e_right,
+      qi_2_new_e_left_rest = qi_2_new_c - qi_2_new_e_left,
+      qi_2_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->w, qi_2_new_d, qi_2_new_e_right),
+      qi_2_new_e_lo1 = qi_2_new_e_left_rest - qi_2_new_e_right_rest,
+      qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo, qi_2_new = qi_2_new_e + qi->z,
+      qi_2_new_right = qi_2_new - qi_2_new_e, qi_2_new_left = qi_2_new - qi_2_new_right,
+      qi_2_new_left_rest = qi_2_new_e - qi_2_new_left, qi_2_new_right_rest = qi->z - qi_2_new_right,
+      qi_2_new_lo1 = qi_2_new_left_rest + qi_2_new_right_rest,
+      qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_a, qi->y),
+      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_c_right = qi_3_new_c - qi_3_new_a,
+      qi_3_new_c_left = qi_3_new_c - qi_3_new_c_right,
+      qi_3_new_c_left_rest = ksl_product_rest(qi_0_new_f, qi->x, qi_3_new_a, qi_3_new_c_left),
+      qi_3_new_c_right_rest = ksl_product_rest(qi_0_new_a, qi->y, qi_3_new_b, qi_3_new_c_right),
+      qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new_e_right = qi_3_new_e - qi_3_new_c, qi_3_new_e_left = qi_3_new_e - qi_3_new_e_right,
+      qi_3_new_e_left_rest = qi_3_new_c - qi_3_new_e_left,
+      qi_3_new_e_right_rest = ksl_product_rest(qi_0_new_c, qi->z, qi_3_new_d, qi_3_new_e_right),
+      qi_3_new_e_lo1 = qi_3_new_e_left_rest + qi_3_new_e_right_rest,
+      qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo, qi_3_new = qi_3_new_e + qi->w,
+      qi_3_new_right = qi_3_new - qi_3_new_e, qi_3_new_left = qi_3_new - qi_3_new_right,
+      qi_3_new_left_rest = qi_3_new_e - qi_3_new_left, qi_3_new_right_rest = qi->w - qi_3_new_right,
+      qi_3_new_lo1 = qi_3_new_left_rest + qi_3_new_right_rest,
+      qi_3_new_lo = qi_3_new_lo1 + qi_3_new_e_lo;
+  const double qi_0_new_rounded = qi_0_new + qi_0_new_lo;
+  const double qi_1_new_rounded = qi_1_new + qi_1_new_lo;
+  const double qi_2_new_rounded = qi_2_new + qi_2_new_lo;
+  const double qi_3_new_rounded = qi_3_new + qi_3_new_lo;
+  qi->x = qi_0_new_rounded;
+  qi->y = qi_1_new_rounded;
+  qi->z = qi_2_new_rounded;
+  qi->w = qi_3_new_rounded;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   27 mul, 101 add, 20 product rest.
+   Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
+    const ksl_quaternion_t *qi, ksl_quaternion_t *dqo) {
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0b = KSL_MUL(dqo_0a, qi->w),
+      dqo_0c = KSL_MUL(0.5, w->y), dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0f = KSL_MUL(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f, dqo_0g_right = dqo_0d - dqo_0g,
+      dqo_0g_left = dqo_0g + dqo_0g_right,
+      dqo_0g_left_rest = ksl_product_rest(dqo_0c, qi->z, dqo_0d, dqo_0g_left),
+      dqo_0g_right_rest = ksl_product_rest(dqo_0e, qi->y, dqo_0f, dqo_0g_right),
+      dqo_0g_lo = dqo_0g_left_rest - dqo_0g_right_rest, dqo_0h = dqo_0b + dqo_0g,
+      dqo_0h_right = dqo_0h - dqo_0b, dqo_0h_left = dqo_0h - dqo_0h_right,
+      dqo_0h_left_rest = ksl_product_rest(dqo_0a, qi->w, dqo_0b, dqo_0h_left),
+      dqo_0h_right_rest = dqo_0g - dqo_0h_right, dqo_0h_lo1 = dqo_0h_left_rest + dqo_0h_right_rest,
+      dqo_0h_lo = dqo_0h_lo1 + dqo_0g_lo, dqo_0i = KSL_MUL(qi->x, qi->x), dqo_0j = 1.0 - dqo_0i,
+      dqo_0j_right = 1.0 - dqo_0j, dqo_0j_left = dqo_0j + dqo_0j_right,
+      dqo_0j_left_rest = 1.0 - dqo_0j_left,
+      dqo_0j_right_rest = ksl_product_rest(qi->x, qi->x, dqo_0i, dqo_0j_right),
+      dqo_0j_lo = dqo_0j_left_rest - dqo_0j_right_rest, dqo_0k = KSL_MUL(qi->y, qi->y),
+      dqo_0l = dqo_0j - dqo_0k, dqo_0l_right = dqo_0j - dqo_0l, dqo_0l_left = dqo_0l + dqo_0l_right,
+      dqo_0l_left_rest = dqo_0j - dqo_0l_left,
+      dqo_0l_right_rest = ksl_product_rest(qi->y, qi->y, dqo_0k, dqo_0l_right),
+      dqo_0l_lo1 = dqo_0l_left_rest - dqo_0l_right_rest, dqo_0l_lo = dqo_0l_lo1 + dqo_0j_lo,
+      dqo_0m = KSL_MUL(qi->z, qi->z), dqo_0n = dqo_0l - dqo_0m, dqo_0n_right = dqo_0l - dqo_0n,
+      dqo_0n_left = dqo_0n + dqo_0n_right, dqo_0n_left_rest = dqo_0l - dqo_0n_left,
+      dqo_0n_right_rest = ksl_product_rest(qi->z, qi->z, dqo_0m, dqo_0n_right),
+      dqo_0n_lo1 = dqo_0n_left_rest - dqo_0n_right_rest, dqo_0n_lo = dqo_0n_lo1 + dqo_0l_lo,
+      dqo_0o = KSL_MUL(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o, dqo_0p_right = dqo_0n - dqo_0p,
+      dqo_0p_left = dqo_0p + dqo_0p_right, dqo_0p_left_rest = dqo_0n - dqo_0p_left,
+      dqo_0p_right_rest = ksl_product_rest(qi->w, qi->w, dqo_0o, dqo_0p_right),
+      dqo_0p_lo1 = dqo_0p_left_rest - dqo_0p_right_rest, dqo_0p_lo = dqo_0p_lo1 + dqo_0n_lo,
+      dqo_0q_of_dqo_0p = dqo_0p + dqo_0p_lo, dqo_0q_of_dqo_0p_right = dqo_0q_of_dqo_0p - dqo_0p,
+      dqo_0q_of_dqo_0p_left = dqo_0q_of_dqo_0p - dqo_0q_of_dqo_0p_right,
+      dqo_0q_of_dqo_0p_left_rest = dqo_0p - dqo_0q_of_dqo_0p_left,
+      dqo_0q_of_dqo_0p_right_rest = dqo_0p_lo - dqo_0q_of_dqo_0p_right,
+      dqo_0q_of_dqo_0p_lo = dqo_0q_of_dqo_0p_left_rest + dqo_0q_of_dqo_0p_right_rest,
+      dqo_0q = KSL_MUL(qi->x, dqo_0q_of_dqo_0p),
+      dqo_0q_cross2 = KSL_MUL(qi->x, dqo_0q_of_dqo_0p_lo), dqo_0 = dqo_0h + dqo_0q,
+      dqo_0_right = dqo_0 - dqo_0h, dqo_0_left = dqo_0 - dqo_0_right,
+      dqo_0_left_rest = dqo_0h - dqo_0_left,
+      dqo_0_right_rest = ksl_product_rest(qi->x, dqo_0q_of_dqo_0p, dqo_0q, dqo_0_right),
+      dqo_0_lo1 = dqo_0_left_rest + dqo_0_right_rest, dqo_0_lo2 = dqo_0_lo1 + dqo_0q_cross2,
+      dqo_0_lo = dqo_0_lo2 + dqo_0h_lo;
+  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1b = KSL_MUL(dqo_0a, qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1c_right = dqo_1a - dqo_1c, dqo_1c_left = dqo_1c + dqo_1c_right,
+      dqo_1c_left_rest = ksl_product_rest(dqo_0e, qi->x, dqo_1a, dqo_1c_left),
+      dqo_1c_right_rest = ksl_product_rest(dqo_0a, qi->z, dqo_1b, dqo_1c_right),
+      dqo_1c_lo = dqo_1c_left_rest - dqo_1c_right_rest, dqo_1d = KSL_MUL(dqo_0c, qi->w),
+      dqo_1e = dqo_1c + dqo_1d, dqo_1e_right = dqo_1e - dqo_1c, dqo_1e_left = dqo_1e - dqo_1e_right,
+      dqo_1e_left_rest = dqo_1c - dqo_1e_left,
+      dqo_1e_right_rest = ksl_product_rest(dqo_0c, qi->w, dqo_1d, dqo_1e_right),
+      dqo_1e_lo1 = dqo_1e_left_rest + dqo_1e_right_rest, dqo_1e_lo = dqo_1e_lo1 + dqo_1c_lo,
+      dqo_1f = KSL_MUL(qi->y, dqo_0q_of_dqo_0p),
+      dqo_1f_cross2 = KSL_MUL(qi->y, dqo_0q_of_dqo_0p_lo), dqo_1 = dqo_1e + dqo_1f,
+      dqo_1_right = dqo_1 - dqo_1e, dqo_1_left = dqo_1 - dqo_1_right,
+      dqo_1_left_rest = dqo_1e - dqo_1_left,
+      dqo_1_right_rest = ksl_product_rest(qi->y, dqo_0q_of_dqo_0p, dqo_1f, dqo_1_right),
+      dqo_1_lo1 = dqo_1_left_rest + dqo_1_right_rest, dqo_1_lo2 = dqo_1_lo1 + dqo_1f_cross2,
+      dqo_1_lo = dqo_1_lo2 + dqo_1e_lo;
+  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2b = KSL_MUL(dqo_0c, qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2c_right = dqo_2a - dqo_2c, dqo_2c_left = dqo_2c + dqo_2c_right,
+      dqo_2c_left_rest = ksl_product_rest(dqo_0a, qi->y, dqo_2a, dqo_2c_left),
+      dqo_2c_right_rest = ksl_product_rest(dqo_0c, qi->x, dqo_2b, dqo_2c_right),
+      dqo_2c_lo = dqo_2c_left_rest - dqo_2c_right_rest, dqo_2d = KSL_MUL(dqo_0e, qi->w),
+      dqo_2e = dqo_2c + dqo_2d, dqo_2e_right = dqo_2e - dqo_2c, dqo_2e_left = dqo_2e - dqo_2e_right,
+      dqo_2e_left_rest = dqo_2c - dqo_2e_left,
+      dqo_2e_right_rest = ksl_product_rest(dqo_0e, qi->w, dqo_2d, dqo_2e_right),
+      dqo_2e_lo1 = dqo_2e_left_rest + dqo_2e_right_rest, dqo_2e_lo = dqo_2e_lo1 + dqo_2c_lo,
+      dqo_2f = KSL_MUL(qi->z, dqo_0q_of_dqo_0p),
+      dqo_2f_cross2 = KSL_MUL(qi->z, dqo_0q_of_dqo_0p_lo), dqo_2 = dqo_2e + dqo_2f,
+      dqo_2_right = dqo_2 - dqo_2e, dqo_2_left = dqo_2 - dqo_2_right,
+      dqo_2_left_rest = dqo_2e - dqo_2_left,
+      dqo_2_right_rest = ksl_product_rest(qi->z, dqo_0q_of_dqo_0p, dqo_2f, dqo_2_right),
+      dqo_2_lo1 = dqo_2_left_rest + dqo_2_right_rest, dqo_2_lo2 = dqo_2_lo1 + dqo_2f_cross2,
+      dqo_2_lo = dqo_2_lo2 + dqo_2e_lo;
+  const double dqo_3a = KSL_MUL(qi->w, dqo_0q_of_dqo_0p),
+      dqo_3a_cross2 = KSL_MUL(qi->w, dqo_0q_of_dqo_0p_lo), dqo_3b = KSL_MUL(dqo_0a, qi->x),
+      dqo_3c = KSL_MUL(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3d_right = dqo_3d - dqo_3b,
+      dqo_3d_left = dqo_3d - dqo_3d_right,
+      dqo_3d_left_rest = ksl_product_rest(dqo_0a, qi->x, dqo_3b, dqo_3d_left),
+      dqo_3d_right_rest = ksl_product_rest(dqo_0c, qi->y, dqo_3c, dqo_3d_right),
+      dqo_3d_lo = dqo_3d_left_rest + dqo_3d_right_rest, dqo_3e = KSL_MUL(dqo_0e, qi->z),
+      dqo_3f = dqo_3d + dqo_3e, dqo_3f_right = dqo_3f - dqo_3d, dqo_3f_left = dqo_3f - dqo_3f_right,
+      dqo_3f_left_rest = dqo_3d - dqo_3f_left,
+      dqo_3f_right_rest = ksl_product_rest(dqo_0e, qi->z, dqo_3e, dqo_3f_right),
+      dqo_3f_lo1 = dqo_3f_left_rest + dqo_3f_right_rest, dqo_3f_lo = dqo_3f_lo1 + dqo_3d_lo,
+      dqo_3 = dqo_3a - dqo_3f, dqo_3_right = dqo_3a - dqo_3, dqo_3_left = dqo_3 + dqo_3_right,
+      dqo_3_left_rest = ksl_product_rest(qi->w, dqo_0q_of_dqo_0p, dqo_3a, dqo_3_left),
+      dqo_3_right_rest = dqo_3f - dqo_3_right, dqo_3_lo1 = dqo_3_left_rest - dqo_3_right_rest,
+      dqo_3_lo2 = dqo_3_lo1 - dqo_3f_lo, dqo_3_lo = dqo_3_lo2 + dqo_3a_cross2;
+  const double dqo_0_rounded = dqo_0 + dqo_0_lo;
+  const double dqo_1_rounded = dqo_1 + dqo_1_lo;
+  const double dqo_2_rounded = dqo_2 + dqo_2_lo;
+  const double dqo_3_rounded = dqo_3 + dqo_3_lo;
+  dqo->x = dqo_0_rounded;
+  dqo->y = dqo_1_rounded;
+  dqo->z = dqo_2_rounded;
+  dqo->w = dqo_3_rounded;
+}
+
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = q->w * q->w;
-  const double squares_1 = q->x * q->x;
-  const double squares_2 = q->y * q->y;
-  const double squares_3 = q->z * q->z;
+  const double squares_0 = KSL_MUL(q->w, q->w);
+  const double squares_1 = KSL_MUL(q->x, q->x);
+  const double squares_2 = KSL_MUL(q->y, q->y);
+  const double squares_3 = KSL_MUL(q->z, q->z);
   const double pairs_0 = squares_0 + squares_1, pairs_0_right = pairs_0 - squares_0,
       pairs_0_left = pairs_0 - pairs_0_right,
       pairs_0_left_rest = ksl_product_rest(q->w, q->w, squares_0, pairs_0_left),
@@ -778,11 +2308,11 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       factor_of_square_left_rest = square - factor_of_square_left,
       factor_of_square_right_rest = square_lo - factor_of_square_right,
       factor_of_square_lo = factor_of_square_left_rest + factor_of_square_right_rest,
-      factor = 1.0 / factor_of_square, factor_product = factor * factor_of_square,
+      factor = 1.0 / factor_of_square, factor_product = KSL_MUL(factor, factor_of_square),
       factor_product_error = ksl_product_error(factor, factor_of_square, factor_product),
       factor_rest = 1.0 - factor_product, factor_exact = factor_rest - factor_product_error,
-      factor_cross = factor * factor_of_square_lo, factor_residual = factor_exact - factor_cross,
-      factor_lo = factor_residual / factor_of_square;
+      factor_cross = KSL_MUL(factor, factor_of_square_lo),
+      factor_residual = factor_exact - factor_cross, factor_lo = factor_residual / factor_of_square;
   const double d0 = pairs_0 - pairs_1, d0_right = pairs_0 - d0, d0_left = d0 + d0_right,
       d0_left_rest = pairs_0 - d0_left, d0_right_rest = pairs_1 - d0_right,
       d0_lo1 = d0_left_rest - d0_right_rest, d0_lo2 = d0_lo1 - pairs_1_lo,
@@ -795,17 +2325,20 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       d2_left_rest = pairs_4 - d2_left, d2_right_rest = pairs_5 - d2_right,
       d2_lo1 = d2_left_rest - d2_right_rest, d2_lo2 = d2_lo1 - pairs_5_lo,
       d2_lo = d2_lo2 + pairs_4_lo;
-  const double twice = 2.0 * factor, twice_cross2 = 2.0 * factor_lo;
-  const double m_0a = q->x * q->y, m_0b = q->z * q->w, m_0 = m_0a - m_0b, m_0_right = m_0a - m_0,
-      m_0_left = m_0 + m_0_right, m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
+  const double twice = KSL_MUL(2.0, factor), twice_cross2 = KSL_MUL(2.0, factor_lo);
+  const double m_0a = KSL_MUL(q->x, q->y), m_0b = KSL_MUL(q->z, q->w), m_0 = m_0a - m_0b,
+      m_0_right = m_0a - m_0, m_0_left = m_0 + m_0_right,
+      m_0_left_rest = ksl_product_rest(q->x, q->y, m_0a, m_0_left),
       m_0_right_rest = ksl_product_rest(q->z, q->w, m_0b, m_0_right),
       m_0_lo = m_0_left_rest - m_0_right_rest;
-  const double m_1a = q->x * q->z, m_1b = q->y * q->w, m_1 = m_1a + m_1b, m_1_right = m_1 - m_1a,
-      m_1_left = m_1 - m_1_right, m_1_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_1_left),
+  const double m_1a = KSL_MUL(q->x, q->z), m_1b = KSL_MUL(q->y, q->w), m_1 = m_1a + m_1b,
+      m_1_right = m_1 - m_1a, m_1_left = m_1 - m_1_right,
+      m_1_left_rest = ksl_product_rest(q->x, q->z, m_1a, m_1_left),
       m_1_right_rest = ksl_product_rest(q->y, q->w, m_1b, m_1_right),
       m_1_lo = m_1_left_rest + m_1_right_rest;
-  const double m_2a = q->y * q->z, m_2b = q->x * q->w, m_2 = m_2a - m_2b, m_2_right = m_2a - m_2,
-      m_2_left = m_2 + m_2_right, m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
+  const double m_2a = KSL_MUL(q->y, q->z), m_2b = KSL_MUL(q->x, q->w), m_2 = m_2a - m_2b,
+      m_2_right = m_2a - m_2, m_2_left = m_2 + m_2_right,
+      m_2_left_rest = ksl_product_rest(q->y, q->z, m_2a, m_2_left),
       m_2_right_rest = ksl_product_rest(q->x, q->w, m_2b, m_2_right),
       m_2_lo = m_2_left_rest - m_2_right_rest;
   const double m_3 = m_0a + m_0b, m_3_right = m_3 - m_0a, m_3_left = m_3 - m_3_right,
@@ -820,24 +2353,24 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
       m_5_left_rest = ksl_product_rest(q->x, q->w, m_2b, m_5_left),
       m_5_right_rest = ksl_product_rest(q->y, q->z, m_2a, m_5_right),
       m_5_lo = m_5_left_rest + m_5_right_rest;
-  const double R_00 = factor * d0, R_00_cross1 = factor_lo * d0, R_00_cross2 = factor * d0_lo,
-      R_00_cross = R_00_cross1 + R_00_cross2;
-  const double R_01 = twice * m_0, R_01_cross1 = twice_cross2 * m_0, R_01_cross2 = twice * m_0_lo,
-      R_01_cross = R_01_cross1 + R_01_cross2;
-  const double R_02 = twice * m_1, R_02_cross1 = twice_cross2 * m_1, R_02_cross2 = twice * m_1_lo,
-      R_02_cross = R_02_cross1 + R_02_cross2;
-  const double R_10 = twice * m_3, R_10_cross1 = twice_cross2 * m_3, R_10_cross2 = twice * m_3_lo,
-      R_10_cross = R_10_cross1 + R_10_cross2;
-  const double R_11 = factor * d1, R_11_cross1 = factor_lo * d1, R_11_cross2 = factor * d1_lo,
-      R_11_cross = R_11_cross1 + R_11_cross2;
-  const double R_12 = twice * m_2, R_12_cross1 = twice_cross2 * m_2, R_12_cross2 = twice * m_2_lo,
-      R_12_cross = R_12_cross1 + R_12_cross2;
-  const double R_20 = twice * m_4, R_20_cross1 = twice_cross2 * m_4, R_20_cross2 = twice * m_4_lo,
-      R_20_cross = R_20_cross1 + R_20_cross2;
-  const double R_21 = twice * m_5, R_21_cross1 = twice_cross2 * m_5, R_21_cross2 = twice * m_5_lo,
-      R_21_cross = R_21_cross1 + R_21_cross2;
-  const double R_22 = factor * d2, R_22_cross1 = factor_lo * d2, R_22_cross2 = factor * d2_lo,
-      R_22_cross = R_22_cross1 + R_22_cross2;
+  const double R_00 = KSL_MUL(factor, d0), R_00_cross1 = KSL_MUL(factor_lo, d0),
+      R_00_cross2 = KSL_MUL(factor, d0_lo), R_00_cross = R_00_cross1 + R_00_cross2;
+  const double R_01 = KSL_MUL(twice, m_0), R_01_cross1 = KSL_MUL(twice_cross2, m_0),
+      R_01_cross2 = KSL_MUL(twice, m_0_lo), R_01_cross = R_01_cross1 + R_01_cross2;
+  const double R_02 = KSL_MUL(twice, m_1), R_02_cross1 = KSL_MUL(twice_cross2, m_1),
+      R_02_cross2 = KSL_MUL(twice, m_1_lo), R_02_cross = R_02_cross1 + R_02_cross2;
+  const double R_10 = KSL_MUL(twice, m_3), R_10_cross1 = KSL_MUL(twice_cross2, m_3),
+      R_10_cross2 = KSL_MUL(twice, m_3_lo), R_10_cross = R_10_cross1 + R_10_cross2;
+  const double R_11 = KSL_MUL(factor, d1), R_11_cross1 = KSL_MUL(factor_lo, d1),
+      R_11_cross2 = KSL_MUL(factor, d1_lo), R_11_cross = R_11_cross1 + R_11_cross2;
+  const double R_12 = KSL_MUL(twice, m_2), R_12_cross1 = KSL_MUL(twice_cross2, m_2),
+      R_12_cross2 = KSL_MUL(twice, m_2_lo), R_12_cross = R_12_cross1 + R_12_cross2;
+  const double R_20 = KSL_MUL(twice, m_4), R_20_cross1 = KSL_MUL(twice_cross2, m_4),
+      R_20_cross2 = KSL_MUL(twice, m_4_lo), R_20_cross = R_20_cross1 + R_20_cross2;
+  const double R_21 = KSL_MUL(twice, m_5), R_21_cross1 = KSL_MUL(twice_cross2, m_5),
+      R_21_cross2 = KSL_MUL(twice, m_5_lo), R_21_cross = R_21_cross1 + R_21_cross2;
+  const double R_22 = KSL_MUL(factor, d2), R_22_cross1 = KSL_MUL(factor_lo, d2),
+      R_22_cross2 = KSL_MUL(factor, d2_lo), R_22_cross = R_22_cross1 + R_22_cross2;
   const double R_00_error = ksl_product_error(factor, d0, R_00), R_00_lo = R_00_error + R_00_cross,
       R_00_rounded = R_00 + R_00_lo,
       R_00_final = R_00_rounded == R_00_rounded ? R_00_rounded : R_00;
@@ -970,28 +2503,31 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   const double upper_3a = -upper_0b_of_column_3, upper_3a_lo = -upper_0b_of_column_3_lo,
       upper_3 = upper_0b_of_column_3 < 0.0 ? upper_3a : upper_0b_of_column_3,
       upper_3_lo = upper_0b_of_column_3 < 0.0 ? upper_3a_lo : upper_0b_of_column_3_lo;
-  const double length_a = upper_0 * upper_0, length_a_cross1 = upper_0_lo * upper_0,
-      length_a_cross2 = upper_0 * upper_0_lo, length_a_cross = length_a_cross1 + length_a_cross2,
-      length_b = upper_1 * upper_1, length_b_cross1 = upper_1_lo * upper_1,
-      length_b_cross2 = upper_1 * upper_1_lo, length_b_cross = length_b_cross1 + length_b_cross2,
-      length_c = length_a + length_b, length_c_right = length_c - length_a,
-      length_c_left = length_c - length_c_right,
+  const double length_a = KSL_MUL(upper_0, upper_0), length_a_cross1 = KSL_MUL(upper_0_lo, upper_0),
+      length_a_cross2 = KSL_MUL(upper_0, upper_0_lo),
+      length_a_cross = length_a_cross1 + length_a_cross2, length_b = KSL_MUL(upper_1, upper_1),
+      length_b_cross1 = KSL_MUL(upper_1_lo, upper_1),
+      length_b_cross2 = KSL_MUL(upper_1, upper_1_lo),
+      length_b_cross = length_b_cross1 + length_b_cross2, length_c = length_a + length_b,
+      length_c_right = length_c - length_a, length_c_left = length_c - length_c_right,
       length_c_left_rest = ksl_product_rest(upper_0, upper_0, length_a, length_c_left),
       length_c_right_rest = ksl_product_rest(upper_1, upper_1, length_b, length_c_right),
       length_c_cross = length_a_cross + length_b_cross,
       length_c_lo1 = length_c_left_rest + length_c_right_rest,
-      length_c_lo = length_c_lo1 + length_c_cross, length_d = upper_2 * upper_2,
-      length_d_cross1 = upper_2_lo * upper_2, length_d_cross2 = upper_2 * upper_2_lo,
+      length_c_lo = length_c_lo1 + length_c_cross, length_d = KSL_MUL(upper_2, upper_2),
+      length_d_cross1 = KSL_MUL(upper_2_lo, upper_2),
+      length_d_cross2 = KSL_MUL(upper_2, upper_2_lo),
       length_d_cross = length_d_cross1 + length_d_cross2, length_e = length_c + length_d,
       length_e_right = length_e - length_c, length_e_left = length_e - length_e_right,
       length_e_left_rest = length_c - length_e_left,
       length_e_right_rest = ksl_product_rest(upper_2, upper_2, length_d, length_e_right),
       length_e_lo1 = length_e_left_rest + length_e_right_rest,
       length_e_lo2 = length_e_lo1 + length_d_cross, length_e_lo = length_e_lo2 + length_c_lo,
-      length_f = upper_3 * upper_3, length_f_cross1 = upper_3_lo * upper_3,
-      length_f_cross2 = upper_3 * upper_3_lo, length_f_cross = length_f_cross1 + length_f_cross2,
-      length_g = length_e + length_f, length_g_right = length_g - length_e,
-      length_g_left = length_g - length_g_right, length_g_left_rest = length_e - length_g_left,
+      length_f = KSL_MUL(upper_3, upper_3), length_f_cross1 = KSL_MUL(upper_3_lo, upper_3),
+      length_f_cross2 = KSL_MUL(upper_3, upper_3_lo),
+      length_f_cross = length_f_cross1 + length_f_cross2, length_g = length_e + length_f,
+      length_g_right = length_g - length_e, length_g_left = length_g - length_g_right,
+      length_g_left_rest = length_e - length_g_left,
       length_g_right_rest = ksl_product_rest(upper_3, upper_3, length_f, length_g_right),
       length_g_lo1 = length_g_left_rest + length_g_right_rest,
       length_g_lo2 = length_g_lo1 + length_f_cross, length_g_lo = length_g_lo2 + length_e_lo,
@@ -1001,7 +2537,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       length_of_length_g_left_rest = length_g - length_of_length_g_left,
       length_of_length_g_right_rest = length_g_lo - length_of_length_g_right,
       length_of_length_g_lo = length_of_length_g_left_rest + length_of_length_g_right_rest,
-      length = sqrt(length_of_length_g), length_product = length * length,
+      length = sqrt(length_of_length_g), length_product = KSL_MUL(length, length),
       length_product_error = ksl_product_error(length, length, length_product),
       length_rest = length_of_length_g - length_product,
       length_exact = length_rest - length_product_error,
@@ -1019,44 +2555,48 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
       qo_0_of_length_left_rest = length - qo_0_of_length_left,
       qo_0_of_length_right_rest = length_lo - qo_0_of_length_right,
       qo_0_of_length_lo = qo_0_of_length_left_rest + qo_0_of_length_right_rest,
-      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_product = qo_0 * qo_0_of_length,
+      qo_0 = qo_0_of_upper_0 / qo_0_of_length, qo_0_product = KSL_MUL(qo_0, qo_0_of_length),
       qo_0_product_error = ksl_product_error(qo_0, qo_0_of_length, qo_0_product),
       qo_0_rest = qo_0_of_upper_0 - qo_0_product, qo_0_exact = qo_0_rest - qo_0_product_error,
-      qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo, qo_0_cross = qo_0 * qo_0_of_length_lo,
-      qo_0_residual = qo_0_numerator - qo_0_cross, qo_0_lo = qo_0_residual / qo_0_of_length;
+      qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo,
+      qo_0_cross = KSL_MUL(qo_0, qo_0_of_length_lo), qo_0_residual = qo_0_numerator - qo_0_cross,
+      qo_0_lo = qo_0_residual / qo_0_of_length;
   const double qo_1_of_upper_1 = upper_1 + upper_1_lo,
       qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1,
       qo_1_of_upper_1_left = qo_1_of_upper_1 - qo_1_of_upper_1_right,
       qo_1_of_upper_1_left_rest = upper_1 - qo_1_of_upper_1_left,
       qo_1_of_upper_1_right_rest = upper_1_lo - qo_1_of_upper_1_right,
       qo_1_of_upper_1_lo = qo_1_of_upper_1_left_rest + qo_1_of_upper_1_right_rest,
-      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_product = qo_1 * qo_0_of_length,
+      qo_1 = qo_1_of_upper_1 / qo_0_of_length, qo_1_product = KSL_MUL(qo_1, qo_0_of_length),
       qo_1_product_error = ksl_product_error(qo_1, qo_0_of_length, qo_1_product),
       qo_1_rest = qo_1_of_upper_1 - qo_1_product, qo_1_exact = qo_1_rest - qo_1_product_error,
-      qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo, qo_1_cross = qo_1 * qo_0_of_length_lo,
-      qo_1_residual = qo_1_numerator - qo_1_cross, qo_1_lo = qo_1_residual / qo_0_of_length;
+      qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo,
+      qo_1_cross = KSL_MUL(qo_1, qo_0_of_length_lo), qo_1_residual = qo_1_numerator - qo_1_cross,
+      qo_1_lo = qo_1_residual / qo_0_of_length;
   const double qo_2_of_upper_2 = upper_2 + upper_2_lo,
       qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2,
       qo_2_of_upper_2_left = qo_2_of_upper_2 - qo_2_of_upper_2_right,
       qo_2_of_upper_2_left_rest = upper_2 - qo_2_of_upper_2_left,
       qo_2_of_upper_2_right_rest = upper_2_lo - qo_2_of_upper_2_right,
       qo_2_of_upper_2_lo = qo_2_of_upper_2_left_rest + qo_2_of_upper_2_right_rest,
-      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_product = qo_2 * qo_0_of_length,
+      qo_2 = qo_2_of_upper_2 / qo_0_of_length, qo_2_product = KSL_MUL(qo_2, qo_0_of_length),
       qo_2_product_error = ksl_product_error(qo_2, qo_0_of_length, qo_2_product),
       qo_2_rest = qo_2_of_upper_2 - qo_2_product, qo_2_exact = qo_2_rest - qo_2_product_error,
-      qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo, qo_2_cross = qo_2 * qo_0_of_length_lo,
-      qo_2_residual = qo_2_numerator - qo_2_cross, qo_2_lo = qo_2_residual / qo_0_of_length;
+      qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo,
+      qo_2_cross = KSL_MUL(qo_2, qo_0_of_length_lo), qo_2_residual = qo_2_numerator - qo_2_cross,
+      qo_2_lo = qo_2_residual / qo_0_of_length;
   const double qo_3_of_upper_3 = upper_3 + upper_3_lo,
       qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3,
       qo_3_of_upper_3_left = qo_3_of_upper_3 - qo_3_of_upper_3_right,
       qo_3_of_upper_3_left_rest = upper_3 - qo_3_of_upper_3_left,
       qo_3_of_upper_3_right_rest = upper_3_lo - qo_3_of_upper_3_right,
       qo_3_of_upper_3_lo = qo_3_of_upper_3_left_rest + qo_3_of_upper_3_right_rest,
-      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_product = qo_3 * qo_0_of_length,
+      qo_3 = qo_3_of_upper_3 / qo_0_of_length, qo_3_product = KSL_MUL(qo_3, qo_0_of_length),
       qo_3_product_error = ksl_product_error(qo_3, qo_0_of_length, qo_3_product),
       qo_3_rest = qo_3_of_upper_3 - qo_3_product, qo_3_exact = qo_3_rest - qo_3_product_error,
-      qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo, qo_3_cross = qo_3 * qo_0_of_length_lo,
-      qo_3_residual = qo_3_numerator - qo_3_cross, qo_3_lo = qo_3_residual / qo_0_of_length;
+      qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo,
+      qo_3_cross = KSL_MUL(qo_3, qo_0_of_length_lo), qo_3_residual = qo_3_numerator - qo_3_cross,
+      qo_3_lo = qo_3_residual / qo_0_of_length;
   const double qo_0_rounded = qo_0 + qo_0_lo,
       qo_0_final = qo_0_rounded == qo_0_rounded ? qo_0_rounded : qo_0;
   const double qo_1_rounded = qo_1 + qo_1_lo,
@@ -1076,7 +2616,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
      less, 8 equal, 31 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double s_size_0 = fabs(q->x);
@@ -1089,10 +2629,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = q->x * s;
-  const double scaled_s_1 = q->y * s;
-  const double scaled_s_2 = q->z * s;
-  const double scaled_s_3 = q->w * s;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1105,15 +2645,15 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
       v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
-      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
-      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
       v_n_e_left_rest = v_n_c - v_n_e_left,
       v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
       v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
@@ -1122,7 +2662,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
       v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
       v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_product = KSL_MUL(v_n, v_n), v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
@@ -1132,9 +2672,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
+      n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
+      n_lo = n_lost == 0.0 ? 0.0 : n_small;
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -1142,10 +2683,10 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
+      half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
+      half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
       divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
@@ -1155,22 +2696,27 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       unit_0_of_divisor_left_rest = divisor - unit_0_of_divisor_left,
       unit_0_of_divisor_right_rest = divisor_lo - unit_0_of_divisor_right,
       unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + unit_0_of_divisor_right_rest,
-      unit_0 = v_y_0 / unit_0_of_divisor, unit_0_product = unit_0 * unit_0_of_divisor,
+      unit_0 = v_y_0 / unit_0_of_divisor, unit_0_product = KSL_MUL(unit_0, unit_0_of_divisor),
       unit_0_product_error = ksl_product_error(unit_0, unit_0_of_divisor, unit_0_product),
       unit_0_rest = v_y_0 - unit_0_product, unit_0_exact = unit_0_rest - unit_0_product_error,
-      unit_0_cross = unit_0 * unit_0_of_divisor_lo, unit_0_residual = unit_0_exact - unit_0_cross,
+      unit_0_cross = KSL_MUL(unit_0, unit_0_of_divisor_lo),
+      unit_0_residual = unit_0_exact - unit_0_cross,
       unit_0_lo = unit_0_residual / unit_0_of_divisor;
-  const double unit_1 = v_y_1 / unit_0_of_divisor, unit_1_product = unit_1 * unit_0_of_divisor,
+  const double unit_1 = v_y_1 / unit_0_of_divisor,
+      unit_1_product = KSL_MUL(unit_1, unit_0_of_divisor),
       unit_1_product_error = ksl_product_error(unit_1, unit_0_of_divisor, unit_1_product),
       unit_1_rest = v_y_1 - unit_1_product, unit_1_exact = unit_1_rest - unit_1_product_error,
-      unit_1_cross = unit_1 * unit_0_of_divisor_lo, unit_1_residual = unit_1_exact - unit_1_cross,
+      unit_1_cross = KSL_MUL(unit_1, unit_0_of_divisor_lo),
+      unit_1_residual = unit_1_exact - unit_1_cross,
       unit_1_lo = unit_1_residual / unit_0_of_divisor;
-  const double unit_2 = v_y_2 / unit_0_of_divisor, unit_2_product = unit_2 * unit_0_of_divisor,
+  const double unit_2 = v_y_2 / unit_0_of_divisor,
+      unit_2_product = KSL_MUL(unit_2, unit_0_of_divisor),
       unit_2_product_error = ksl_product_error(unit_2, unit_0_of_divisor, unit_2_product),
       unit_2_rest = v_y_2 - unit_2_product, unit_2_exact = unit_2_rest - unit_2_product_error,
-      unit_2_cross = unit_2 * unit_0_of_divisor_lo, unit_2_residual = unit_2_exact - unit_2_cross,
+      unit_2_cross = KSL_MUL(unit_2, unit_0_of_divisor_lo),
+      unit_2_residual = unit_2_exact - unit_2_cross,
       unit_2_lo = unit_2_residual / unit_0_of_divisor;
-  const double angle = 2.0 * half, angle_cross2 = 2.0 * half_lo;
+  const double angle = KSL_MUL(2.0, half), angle_cross2 = KSL_MUL(2.0, half_lo);
   const double axis_0 = n_of_v_n == 0.0 ? 1.0 : unit_0,
       axis_0_lo = n_of_v_n == 0.0 ? 0.0 : unit_0_lo;
   const double angle_rounded = angle + angle_cross2,
@@ -1191,7 +2737,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
      less, 7 equal, 28 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -1203,10 +2749,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = q->x * s;
-  const double scaled_s_1 = q->y * s;
-  const double scaled_s_2 = q->z * s;
-  const double scaled_s_3 = q->w * s;
+  const double scaled_s_0 = KSL_MUL(q->x, s);
+  const double scaled_s_1 = KSL_MUL(q->y, s);
+  const double scaled_s_2 = KSL_MUL(q->z, s);
+  const double scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1219,15 +2765,15 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_c_right = v_n_c - v_n_a, v_n_c_left = v_n_c - v_n_c_right,
       v_n_c_left_rest = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left),
       v_n_c_right_rest = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right),
-      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d,
-      v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
+      v_n_c_lo = v_n_c_left_rest + v_n_c_right_rest, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_e = v_n_c + v_n_d, v_n_e_right = v_n_e - v_n_c, v_n_e_left = v_n_e - v_n_e_right,
       v_n_e_left_rest = v_n_c - v_n_e_left,
       v_n_e_right_rest = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right),
       v_n_e_lo1 = v_n_e_left_rest + v_n_e_right_rest, v_n_e_lo = v_n_e_lo1 + v_n_c_lo,
@@ -1236,7 +2782,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       v_n_of_v_n_e_left_rest = v_n_e - v_n_of_v_n_e_left,
       v_n_of_v_n_e_right_rest = v_n_e_lo - v_n_of_v_n_e_right,
       v_n_of_v_n_e_lo = v_n_of_v_n_e_left_rest + v_n_of_v_n_e_right_rest, v_n = sqrt(v_n_of_v_n_e),
-      v_n_product = v_n * v_n, v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
+      v_n_product = KSL_MUL(v_n, v_n), v_n_product_error = ksl_product_error(v_n, v_n, v_n_product),
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
@@ -1246,9 +2792,10 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
-      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = n_of_v_n * v_r,
-      n_inverse = 1.0 / v_r, n_back = n * n_inverse, n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = n_rest * v_r, n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
+      n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
+      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
+      n_lo = n_lost == 0.0 ? 0.0 : n_small;
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -1256,14 +2803,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
-      half_part1 = upper_3 / half_divisor, half_cross1 = half_part1 * half_of_n_lo,
-      half_cross2 = half_part0 * 0.0, half_square1 = half_part1 * half_part1,
-      half_square2 = half_part0 * half_part0, half_cross = half_cross1 - half_cross2,
-      half_square = half_square1 + half_square2, half_divisor2 = half_divisor * half_square,
+      half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
+      half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
+      half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
+      half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
       half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
-  const double theta = 2.0 * half, theta_cross2 = 2.0 * half_lo;
+  const double theta = KSL_MUL(2.0, half), theta_cross2 = KSL_MUL(2.0, half_lo);
   const double k_of_theta = theta + theta_cross2, k_of_theta_right = k_of_theta - theta,
       k_of_theta_left = k_of_theta - k_of_theta_right,
       k_of_theta_left_rest = theta - k_of_theta_left,
@@ -1274,14 +2821,14 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       k_of_divisor_left_rest = divisor - k_of_divisor_left,
       k_of_divisor_right_rest = divisor_lo - k_of_divisor_right,
       k_of_divisor_lo = k_of_divisor_left_rest + k_of_divisor_right_rest,
-      k = k_of_theta / k_of_divisor, k_product = k * k_of_divisor,
+      k = k_of_theta / k_of_divisor, k_product = KSL_MUL(k, k_of_divisor),
       k_product_error = ksl_product_error(k, k_of_divisor, k_product),
       k_rest = k_of_theta - k_product, k_exact = k_rest - k_product_error,
-      k_numerator = k_exact + k_of_theta_lo, k_cross = k * k_of_divisor_lo,
+      k_numerator = k_exact + k_of_theta_lo, k_cross = KSL_MUL(k, k_of_divisor_lo),
       k_residual = k_numerator - k_cross, k_lo = k_residual / k_of_divisor;
-  const double vector_0 = upper_0 * k, vector_0_cross2 = upper_0 * k_lo;
-  const double vector_1 = upper_1 * k, vector_1_cross2 = upper_1 * k_lo;
-  const double vector_2 = upper_2 * k, vector_2_cross2 = upper_2 * k_lo;
+  const double vector_0 = KSL_MUL(upper_0, k), vector_0_cross2 = KSL_MUL(upper_0, k_lo);
+  const double vector_1 = KSL_MUL(upper_1, k), vector_1_cross2 = KSL_MUL(upper_1, k_lo);
+  const double vector_2 = KSL_MUL(upper_2, k), vector_2_cross2 = KSL_MUL(upper_2, k_lo);
   const double vector_0_error = ksl_product_error(upper_0, k, vector_0),
       vector_0_lo = vector_0_error + vector_0_cross2, vector_0_rounded = vector_0 + vector_0_lo,
       vector_0_final = vector_0_rounded == vector_0_rounded ? vector_0_rounded : vector_0;
@@ -1312,6 +2859,23 @@ static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const
   self->w = (float)self_3_new;
 }
 
+/* y = a x + y.
+   a: number; x, y: quaternion (x, y, z, w), the scalar last.
+   4 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t *x,
+    ksl_quaternionf_t *y) {
+  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
+  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
+  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
+  const double y_3_new_a = (double)a * (double)x->w, y_3_new = y_3_new_a + (double)y->w;
+  y->x = (float)y_0_new;
+  y->y = (float)y_1_new;
+  y->z = (float)y_2_new;
+  y->w = (float)y_3_new;
+}
+
 /* |q| = sqrt(v·v + w^2).
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
@@ -1326,16 +2890,17 @@ static inline float ksl_quaternionf_norm_accurate(const ksl_quaternionf_t *q) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)q->x * s;
-  const double y_1 = (double)q->y * s;
-  const double y_2 = (double)q->z * s;
-  const double y_3 = (double)q->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double y_0 = KSL_MUL((double)q->x, s);
+  const double y_1 = KSL_MUL((double)q->y, s);
+  const double y_2 = KSL_MUL((double)q->z, s);
+  const double y_3 = KSL_MUL((double)q->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return (float)norm;
 }
 
@@ -1353,27 +2918,28 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)self->x * s;
-  const double y_1 = (double)self->y * s;
-  const double y_2 = (double)self->z * s;
-  const double y_3 = (double)self->w * s;
+  const double y_0 = KSL_MUL((double)self->x, s);
+  const double y_1 = KSL_MUL((double)self->y, s);
+  const double y_2 = KSL_MUL((double)self->z, s);
+  const double y_3 = KSL_MUL((double)self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->x * up;
-  const double enlarged_1 = (double)self->y * up;
-  const double enlarged_2 = (double)self->z * up;
-  const double enlarged_3 = (double)self->w * up;
+  const double enlarged_0 = KSL_MUL((double)self->x, up);
+  const double enlarged_1 = KSL_MUL((double)self->y, up);
+  const double enlarged_2 = KSL_MUL((double)self->z, up);
+  const double enlarged_3 = KSL_MUL((double)self->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -1395,102 +2961,28 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)q->x * s;
-  const double y_1 = (double)q->y * s;
-  const double y_2 = (double)q->z * s;
-  const double y_3 = (double)q->w * s;
+  const double y_0 = KSL_MUL((double)q->x, s);
+  const double y_1 = KSL_MUL((double)q->y, s);
+  const double y_2 = KSL_MUL((double)q->z, s);
+  const double y_3 = KSL_MUL((double)q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)q->x * up;
-  const double enlarged_1 = (double)q->y * up;
-  const double enlarged_2 = (double)q->z * up;
-  const double enlarged_3 = (double)q->w * up;
+  const double enlarged_0 = KSL_MUL((double)q->x, up);
+  const double enlarged_1 = KSL_MUL((double)q->y, up);
+  const double enlarged_2 = KSL_MUL((double)q->z, up);
+  const double enlarged_3 = KSL_MUL((double)q->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double qo_0 = quotient_0 * down;
-  const double qo_1 = quotient_1 * down;
-  const double qo_2 = quotient_2 * down;
-  const double qo_3 = quotient_3 * down;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
-/* qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
-     over- and underflow. */
-static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->y * (double)q2->z,
-      qo_0c = (double)q1->z * (double)q2->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = (double)q1->w * (double)q2->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = (double)q1->z * (double)q2->x, qo_1b = (double)q1->x * (double)q2->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w, qo_1e = qo_1c + qo_1d,
-      qo_1f = (double)q1->w * (double)q2->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = (double)q1->x * (double)q2->y, qo_2b = (double)q1->y * (double)q2->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w, qo_2e = qo_2c + qo_2d,
-      qo_2f = (double)q1->w * (double)q2->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = (double)q1->w * (double)q2->w, qo_3b = (double)q1->x * (double)q2->x,
-      qo_3c = (double)q1->y * (double)q2->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1->z * (double)q2->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
-/* qo = q1* q2, q1* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
-     formula; barring over- and underflow. */
-static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->w * (double)q2->x, qo_0b = (double)q1->x * (double)q2->w,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
-      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->w * (double)q2->y,
-      qo_1e = (double)q1->y * (double)q2->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->w * (double)q2->z,
-      qo_2e = (double)q1->z * (double)q2->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
-  qo->x = (float)qo_0;
-  qo->y = (float)qo_1;
-  qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
-}
-
-/* qo = q1 q2*, q2* the conjugate.
-   q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
-   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
-     formula; barring over- and underflow. */
-static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
-    const ksl_quaternionf_t *q2, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1->x * (double)q2->w, qo_0b = (double)q1->w * (double)q2->x,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1->z * (double)q2->y,
-      qo_0e = (double)q1->y * (double)q2->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1->x * (double)q2->z, qo_1b = (double)q1->z * (double)q2->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1->y * (double)q2->w,
-      qo_1e = (double)q1->w * (double)q2->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1->y * (double)q2->x, qo_2b = (double)q1->x * (double)q2->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1->z * (double)q2->w,
-      qo_2e = (double)q1->w * (double)q2->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1->x * (double)q2->x, qo_3b = (double)q1->y * (double)q2->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1->z * (double)q2->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1->w * (double)q2->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0 = KSL_MUL(quotient_0, down);
+  const double qo_1 = KSL_MUL(quotient_1, down);
+  const double qo_2 = KSL_MUL(quotient_2, down);
+  const double qo_3 = KSL_MUL(quotient_3, down);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -1502,7 +2994,7 @@ static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1,
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double c_0a = (double)q->y * (double)v->z, c_0b = (double)q->z * (double)v->y,
       c_0 = c_0a - c_0b;
@@ -1510,15 +3002,15 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
       c_1 = c_1a - c_1b;
   const double c_2a = (double)q->x * (double)v->y, c_2b = (double)q->y * (double)v->x,
       c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->y * t_2, turn_0b = (double)q->z * t_1,
-      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = (double)q->z * t_0, turn_1b = (double)q->x * t_2,
-      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = (double)q->x * t_1, turn_2b = (double)q->y * t_0,
-      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL((double)q->y, t_2), turn_0b = KSL_MUL((double)q->z, t_1),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL((double)q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL((double)q->z, t_0), turn_1b = KSL_MUL((double)q->x, t_2),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL((double)q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL((double)q->x, t_1), turn_2b = KSL_MUL((double)q->y, t_0),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL((double)q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -1532,7 +3024,7 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *q, const ks
    18 mul, 12 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
-static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
+static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
   const double c_0a = (double)q->z * (double)v->y, c_0b = (double)q->y * (double)v->z,
       c_0 = c_0a - c_0b;
@@ -1540,15 +3032,15 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
       c_1 = c_1a - c_1b;
   const double c_2a = (double)q->y * (double)v->x, c_2b = (double)q->x * (double)v->y,
       c_2 = c_2a - c_2b;
-  const double t_0 = 2.0 * c_0;
-  const double t_1 = 2.0 * c_1;
-  const double t_2 = 2.0 * c_2;
-  const double turn_0a = (double)q->z * t_1, turn_0b = (double)q->y * t_2,
-      turn_0c = turn_0a - turn_0b, turn_0d = (double)q->w * t_0, turn_0 = turn_0c + turn_0d;
-  const double turn_1a = (double)q->x * t_2, turn_1b = (double)q->z * t_0,
-      turn_1c = turn_1a - turn_1b, turn_1d = (double)q->w * t_1, turn_1 = turn_1c + turn_1d;
-  const double turn_2a = (double)q->y * t_0, turn_2b = (double)q->x * t_1,
-      turn_2c = turn_2a - turn_2b, turn_2d = (double)q->w * t_2, turn_2 = turn_2c + turn_2d;
+  const double t_0 = KSL_MUL(2.0, c_0);
+  const double t_1 = KSL_MUL(2.0, c_1);
+  const double t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0a = KSL_MUL((double)q->z, t_1), turn_0b = KSL_MUL((double)q->y, t_2),
+      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL((double)q->w, t_0), turn_0 = turn_0c + turn_0d;
+  const double turn_1a = KSL_MUL((double)q->x, t_2), turn_1b = KSL_MUL((double)q->z, t_0),
+      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL((double)q->w, t_1), turn_1 = turn_1c + turn_1d;
+  const double turn_2a = KSL_MUL((double)q->y, t_0), turn_2b = KSL_MUL((double)q->x, t_1),
+      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL((double)q->w, t_2), turn_2 = turn_2c + turn_2d;
   const double vo_0 = (double)v->x + turn_0;
   const double vo_1 = (double)v->y + turn_1;
   const double vo_2 = (double)v->z + turn_2;
@@ -1557,10 +3049,803 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *q, cons
   vo->z = (float)vo_2;
 }
 
+/* qo = q1i q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->y * (double)q2i->z,
+      qo_0c = (double)q1i->z * (double)q2i->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
+      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e + qo_0f;
+  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c + qo_1d,
+      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e + qo_1f;
+  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c + qo_2d,
+      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e + qo_2f;
+  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
+      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->w * (double)q2i->x,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w,
+      qo_1e = (double)q1i->w * (double)q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w,
+      qo_2e = (double)q1i->w * (double)q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i* q2i.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + (v: 3/32, w: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->w * (double)q2i->x, qo_0b = (double)q1i->x * (double)q2i->w,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->w * (double)q2i->y,
+      qo_1e = (double)q1i->y * (double)q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->w * (double)q2i->z,
+      qo_2e = (double)q1i->z * (double)q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
+      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = q1i* q2i*.
+   q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+   16 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)q1i->y * (double)q2i->z, qo_0b = (double)q1i->z * (double)q2i->y,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->x * (double)q2i->w, qo_0e = qo_0c - qo_0d,
+      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e - qo_0f;
+  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c - qo_1d,
+      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e - qo_1f;
+  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c - qo_2d,
+      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e - qo_2f;
+  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
+      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->z,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->w,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->y,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->y * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->w * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->z * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->x,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->z,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->w,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->x * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->z * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->w * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->y,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->x,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->w,
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+   dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0 = qo_0a + qo_0b;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->x * (double)dci[0],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2 = qo_2a + qo_2b;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a + qo_1b;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 1 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
+      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1 = qo_1a - qo_1b;
+  const double qo_2a = (double)qi->w * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
+      qo_2 = qo_2a - qo_2b;
+  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
+      qo_3 = qo_3a + qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+   qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+   8 mul, 4 add, 2 neg.
+   Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi,
+    const float dci[2], ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->y * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
+      qo_0 = qo_0a - qo_0b;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
+      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
+      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
+      qo_3 = qo_3a - qo_3b;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->y * (double)vi->z, qo_0b = (double)qi->z * (double)vi->y,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
+  const double qo_1a = (double)qi->z * (double)vi->x, qo_1b = (double)qi->x * (double)vi->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)qi->x * (double)vi->y, qo_2b = (double)qi->y * (double)vi->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3e = qo_3c + qo_3d,
+      qo_3 = -qo_3e;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = qi* (vi; 0).
+   qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+   12 mul, 8 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
+    const ksl_vec3f_t *vi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)qi->z * (double)vi->y, qo_0b = (double)qi->y * (double)vi->z,
+      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
+  const double qo_1a = (double)qi->x * (double)vi->z, qo_1b = (double)qi->z * (double)vi->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)qi->y * (double)vi->x, qo_2b = (double)qi->x * (double)vi->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3 = qo_3c + qo_3d;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (vi; 0) qi.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add, 1 neg.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
+    ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->y * (double)qi->z,
+      qo_0c = (double)vi->z * (double)qi->y, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = (double)vi->z * (double)qi->x, qo_1b = (double)vi->x * (double)qi->z,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)vi->x * (double)qi->y, qo_2b = (double)vi->y * (double)qi->x,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3e = qo_3c + qo_3d,
+      qo_3 = -qo_3e;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* qo = (vi; 0) qi*.
+   vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+   12 mul, 8 add.
+   Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
+  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->z * (double)qi->y,
+      qo_0c = (double)vi->y * (double)qi->z, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
+  const double qo_1a = (double)vi->x * (double)qi->z, qo_1b = (double)vi->z * (double)qi->x,
+      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
+  const double qo_2a = (double)vi->y * (double)qi->x, qo_2b = (double)vi->x * (double)qi->y,
+      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
+      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3 = qo_3c + qo_3d;
+  qo->x = (float)qo_0;
+  qo->y = (float)qo_1;
+  qo->z = (float)qo_2;
+  qo->w = (float)qo_3;
+}
+
+/* q1i·q2i.
+   q1i, q2i: quaternion (x, y, z, w), the scalar last.
+   4 mul, 3 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
+    const ksl_quaternionf_t *q2i) {
+  const double dot_a = (double)q1i->x * (double)q2i->x, dot_b = (double)q1i->y * (double)q2i->y,
+      dot_c = dot_a + dot_b, dot_d = (double)q1i->z * (double)q2i->z, dot_e = dot_c + dot_d,
+      dot_f = (double)q1i->w * (double)q2i->w, dot = dot_e + dot_f;
+  return (float)dot;
+}
+
+/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+     first order; not normalized.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_dpiToqf_accurate(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const double qi_0_new_a = 0.5 * (double)dpi->x, qi_0_new_b = KSL_MUL(qi_0_new_a, (double)qi->w),
+      qi_0_new_c = 0.5 * (double)dpi->z, qi_0_new_d = KSL_MUL(qi_0_new_c, (double)qi->y),
+      qi_0_new_e = 0.5 * (double)dpi->y, qi_0_new_f = KSL_MUL(qi_0_new_e, (double)qi->z),
+      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
+      qi_0_new = qi_0_new_h + (double)qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_a, (double)qi->z),
+      qi_1_new_b = KSL_MUL(qi_0_new_c, (double)qi->x), qi_1_new_c = qi_1_new_a - qi_1_new_b,
+      qi_1_new_d = KSL_MUL(qi_0_new_e, (double)qi->w), qi_1_new_e = qi_1_new_c + qi_1_new_d,
+      qi_1_new = qi_1_new_e + (double)qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_e, (double)qi->x),
+      qi_2_new_b = KSL_MUL(qi_0_new_a, (double)qi->y), qi_2_new_c = qi_2_new_a - qi_2_new_b,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, (double)qi->w), qi_2_new_e = qi_2_new_c + qi_2_new_d,
+      qi_2_new = qi_2_new_e + (double)qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_a, (double)qi->x),
+      qi_3_new_b = KSL_MUL(qi_0_new_e, (double)qi->y), qi_3_new_c = qi_3_new_a + qi_3_new_b,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, (double)qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new = (double)qi->w - qi_3_new_e;
+  qi->x = (float)qi_0_new;
+  qi->y = (float)qi_1_new;
+  qi->z = (float)qi_2_new;
+  qi->w = (float)qi_3_new;
+}
+
+/* qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+   dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+   15 mul, 12 add.
+   Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
+  const double qi_0_new_a = 0.5 * (double)dpi->y, qi_0_new_b = KSL_MUL(qi_0_new_a, (double)qi->z),
+      qi_0_new_c = 0.5 * (double)dpi->z, qi_0_new_d = KSL_MUL(qi_0_new_c, (double)qi->y),
+      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = 0.5 * (double)dpi->x,
+      qi_0_new_g = KSL_MUL(qi_0_new_f, (double)qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
+      qi_0_new = qi_0_new_h + (double)qi->x;
+  const double qi_1_new_a = KSL_MUL(qi_0_new_c, (double)qi->x),
+      qi_1_new_b = KSL_MUL(qi_0_new_f, (double)qi->z), qi_1_new_c = qi_1_new_a - qi_1_new_b,
+      qi_1_new_d = KSL_MUL(qi_0_new_a, (double)qi->w), qi_1_new_e = qi_1_new_c - qi_1_new_d,
+      qi_1_new = qi_1_new_e + (double)qi->y;
+  const double qi_2_new_a = KSL_MUL(qi_0_new_f, (double)qi->y),
+      qi_2_new_b = KSL_MUL(qi_0_new_a, (double)qi->x), qi_2_new_c = qi_2_new_a - qi_2_new_b,
+      qi_2_new_d = KSL_MUL(qi_0_new_c, (double)qi->w), qi_2_new_e = qi_2_new_c - qi_2_new_d,
+      qi_2_new = qi_2_new_e + (double)qi->z;
+  const double qi_3_new_a = KSL_MUL(qi_0_new_f, (double)qi->x),
+      qi_3_new_b = KSL_MUL(qi_0_new_a, (double)qi->y), qi_3_new_c = qi_3_new_a + qi_3_new_b,
+      qi_3_new_d = KSL_MUL(qi_0_new_c, (double)qi->z), qi_3_new_e = qi_3_new_c + qi_3_new_d,
+      qi_3_new = qi_3_new_e + (double)qi->w;
+  qi->x = (float)qi_0_new;
+  qi->y = (float)qi_1_new;
+  qi->z = (float)qi_2_new;
+  qi->w = (float)qi_3_new;
+}
+
+/* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+     reference frame, rad/s, and what draws its norm to 1.
+   w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+   23 mul, 16 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
+    const ksl_quaternionf_t *qi, ksl_quaternionf_t *dqo) {
+  const double dqo_0a = 0.5 * (double)w->x, dqo_0b = KSL_MUL(dqo_0a, (double)qi->w),
+      dqo_0c = 0.5 * (double)w->y, dqo_0d = KSL_MUL(dqo_0c, (double)qi->z),
+      dqo_0e = 0.5 * (double)w->z, dqo_0f = KSL_MUL(dqo_0e, (double)qi->y),
+      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = (double)qi->x * (double)qi->x,
+      dqo_0j = 1.0 - dqo_0i, dqo_0k = (double)qi->y * (double)qi->y, dqo_0l = dqo_0j - dqo_0k,
+      dqo_0m = (double)qi->z * (double)qi->z, dqo_0n = dqo_0l - dqo_0m,
+      dqo_0o = (double)qi->w * (double)qi->w, dqo_0p = dqo_0n - dqo_0o,
+      dqo_0q = KSL_MUL((double)qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
+  const double dqo_1a = KSL_MUL(dqo_0e, (double)qi->x), dqo_1b = KSL_MUL(dqo_0a, (double)qi->z),
+      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, (double)qi->w), dqo_1e = dqo_1c + dqo_1d,
+      dqo_1f = KSL_MUL((double)qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
+  const double dqo_2a = KSL_MUL(dqo_0a, (double)qi->y), dqo_2b = KSL_MUL(dqo_0c, (double)qi->x),
+      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, (double)qi->w), dqo_2e = dqo_2c + dqo_2d,
+      dqo_2f = KSL_MUL((double)qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
+  const double dqo_3a = KSL_MUL((double)qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, (double)qi->x),
+      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d = dqo_3b + dqo_3c,
+      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  dqo->x = (float)dqo_0;
+  dqo->y = (float)dqo_1;
+  dqo->z = (float)dqo_2;
+  dqo->w = (float)dqo_3;
+}
+
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
@@ -1579,7 +3864,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   const double d0 = pairs_0 - pairs_1;
   const double d1 = pairs_2 - pairs_3;
   const double d2 = pairs_4 - pairs_5;
-  const double twice = 2.0 * factor;
+  const double twice = KSL_MUL(2.0, factor);
   const double m_0a = (double)q->x * (double)q->y, m_0b = (double)q->z * (double)q->w,
       m_0 = m_0a - m_0b;
   const double m_1a = (double)q->x * (double)q->z, m_1b = (double)q->y * (double)q->w,
@@ -1589,15 +3874,15 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   const double m_3 = m_0a + m_0b;
   const double m_4 = m_1a - m_1b;
   const double m_5 = m_2b + m_2a;
-  const double R_00 = factor * d0;
-  const double R_01 = twice * m_0;
-  const double R_02 = twice * m_1;
-  const double R_10 = twice * m_3;
-  const double R_11 = factor * d1;
-  const double R_12 = twice * m_2;
-  const double R_20 = twice * m_4;
-  const double R_21 = twice * m_5;
-  const double R_22 = factor * d2;
+  const double R_00 = KSL_MUL(factor, d0);
+  const double R_01 = KSL_MUL(twice, m_0);
+  const double R_02 = KSL_MUL(twice, m_1);
+  const double R_10 = KSL_MUL(twice, m_3);
+  const double R_11 = KSL_MUL(factor, d1);
+  const double R_12 = KSL_MUL(twice, m_2);
+  const double R_20 = KSL_MUL(twice, m_4);
+  const double R_21 = KSL_MUL(twice, m_5);
+  const double R_22 = KSL_MUL(factor, d2);
   R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -1645,9 +3930,10 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double length_a = upper_0 * upper_0, length_b = upper_1 * upper_1,
-      length_c = length_a + length_b, length_d = upper_2 * upper_2, length_e = length_c + length_d,
-      length_f = upper_3 * upper_3, length_g = length_e + length_f, length = sqrt(length_g);
+  const double length_a = KSL_MUL(upper_0, upper_0), length_b = KSL_MUL(upper_1, upper_1),
+      length_c = length_a + length_b, length_d = KSL_MUL(upper_2, upper_2),
+      length_e = length_c + length_d, length_f = KSL_MUL(upper_3, upper_3),
+      length_g = length_e + length_f, length = sqrt(length_g);
   const double qo_0 = upper_0 / length;
   const double qo_1 = upper_1 / length;
   const double qo_2 = upper_2 / length;
@@ -1662,7 +3948,7 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
   const double s_size_0 = fabs((double)q->x);
@@ -1675,10 +3961,10 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = (double)q->x * s;
-  const double scaled_s_1 = (double)q->y * s;
-  const double scaled_s_2 = (double)q->z * s;
-  const double scaled_s_3 = (double)q->w * s;
+  const double scaled_s_0 = KSL_MUL((double)q->x, s);
+  const double scaled_s_1 = KSL_MUL((double)q->y, s);
+  const double scaled_s_2 = KSL_MUL((double)q->z, s);
+  const double scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1691,21 +3977,21 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
   const double unit_2 = v_y_2 / divisor;
-  const double angle = 2.0 * half;
+  const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = (float)axis_0;
   axis->y = (float)unit_1;
@@ -1716,7 +4002,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const double s_size_0 = fabs((double)q->x);
   const double s_size_1 = fabs((double)q->y);
@@ -1728,10 +4014,10 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double scaled_s_0 = (double)q->x * s;
-  const double scaled_s_1 = (double)q->y * s;
-  const double scaled_s_2 = (double)q->z * s;
-  const double scaled_s_3 = (double)q->w * s;
+  const double scaled_s_0 = KSL_MUL((double)q->x, s);
+  const double scaled_s_1 = KSL_MUL((double)q->y, s);
+  const double scaled_s_2 = KSL_MUL((double)q->z, s);
+  const double scaled_s_3 = KSL_MUL((double)q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
@@ -1744,22 +4030,22 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
       v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
-  const double v_y_0 = upper_0 * v_s;
-  const double v_y_1 = upper_1 * v_s;
-  const double v_y_2 = upper_2 * v_s;
-  const double v_n_a = v_y_0 * v_y_0, v_n_b = v_y_1 * v_y_1, v_n_c = v_n_a + v_n_b,
-      v_n_d = v_y_2 * v_y_2, v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s);
+  const double v_y_1 = KSL_MUL(upper_1, v_s);
+  const double v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
   const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
-  const double n = v_n * v_r;
+  const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double theta = 2.0 * half;
+  const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = upper_0 * k;
-  const double vector_1 = upper_1 * k;
-  const double vector_2 = upper_2 * k;
+  const double vector_0 = KSL_MUL(upper_0, k);
+  const double vector_1 = KSL_MUL(upper_1, k);
+  const double vector_2 = KSL_MUL(upper_2, k);
   vo->x = (float)vector_0;
   vo->y = (float)vector_1;
   vo->z = (float)vector_2;

@@ -46,12 +46,12 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -104,12 +104,12 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -161,12 +161,12 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -231,15 +231,15 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -261,32 +261,32 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -313,32 +313,32 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = si->m0 * up;
-  const double enlarged_1 = si->m1 * up;
-  const double enlarged_2 = si->m2 * up;
-  const double enlarged_3 = si->m3 * up;
-  const double enlarged_4 = si->m4 * up;
-  const double enlarged_5 = si->m5 * up;
+  const double enlarged_0 = KSL_MUL(si->m0, up);
+  const double enlarged_1 = KSL_MUL(si->m1, up);
+  const double enlarged_2 = KSL_MUL(si->m2, up);
+  const double enlarged_3 = KSL_MUL(si->m3, up);
+  const double enlarged_4 = KSL_MUL(si->m4, up);
+  const double enlarged_5 = KSL_MUL(si->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = quotient_0 * down;
-  const double so_1 = quotient_1 * down;
-  const double so_2 = quotient_2 * down;
-  const double so_3 = quotient_3 * down;
-  const double so_4 = quotient_4 * down;
-  const double so_5 = quotient_5 * down;
+  const double so_0 = KSL_MUL(quotient_0, down);
+  const double so_1 = KSL_MUL(quotient_1, down);
+  const double so_2 = KSL_MUL(quotient_2, down);
+  const double so_3 = KSL_MUL(quotient_3, down);
+  const double so_4 = KSL_MUL(quotient_4, down);
+  const double so_5 = KSL_MUL(quotient_5, down);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -430,11 +430,11 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
@@ -454,11 +454,11 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
@@ -478,11 +478,11 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
@@ -501,18 +501,18 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -528,18 +528,18 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
      and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -555,18 +555,18 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
      and underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -581,23 +581,23 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -613,24 +613,24 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const double so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const double so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -645,23 +645,23 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -725,9 +725,12 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -745,9 +748,12 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -765,9 +771,12 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -833,9 +842,12 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -853,9 +865,12 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -873,9 +888,12 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -893,15 +911,24 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -955,10 +982,10 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
   return power;
 }
 
@@ -969,15 +996,21 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -992,9 +1025,12 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1009,15 +1045,15 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const double so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const double so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1032,12 +1068,12 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1052,15 +1088,15 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -1078,12 +1114,12 @@ static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_s
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1184,12 +1220,12 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1242,12 +1278,12 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1299,12 +1335,12 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1370,14 +1406,14 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -1399,32 +1435,32 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->m0 * up;
-  const float enlarged_1 = self->m1 * up;
-  const float enlarged_2 = self->m2 * up;
-  const float enlarged_3 = self->m3 * up;
-  const float enlarged_4 = self->m4 * up;
-  const float enlarged_5 = self->m5 * up;
+  const float enlarged_0 = KSL_MULF(self->m0, up);
+  const float enlarged_1 = KSL_MULF(self->m1, up);
+  const float enlarged_2 = KSL_MULF(self->m2, up);
+  const float enlarged_3 = KSL_MULF(self->m3, up);
+  const float enlarged_4 = KSL_MULF(self->m4, up);
+  const float enlarged_5 = KSL_MULF(self->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
-  const float self_3_new = quotient_3 * down;
-  const float self_4_new = quotient_4 * down;
-  const float self_5_new = quotient_5 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
+  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float self_4_new = KSL_MULF(quotient_4, down);
+  const float self_5_new = KSL_MULF(quotient_5, down);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1451,32 +1487,32 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = p_0 * s;
-  const float y_1 = p_1 * s;
-  const float y_2 = p_2 * s;
+  const float y_0 = KSL_MULF(p_0, s);
+  const float y_1 = KSL_MULF(p_1, s);
+  const float y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = si->m0 * up;
-  const float enlarged_1 = si->m1 * up;
-  const float enlarged_2 = si->m2 * up;
-  const float enlarged_3 = si->m3 * up;
-  const float enlarged_4 = si->m4 * up;
-  const float enlarged_5 = si->m5 * up;
+  const float enlarged_0 = KSL_MULF(si->m0, up);
+  const float enlarged_1 = KSL_MULF(si->m1, up);
+  const float enlarged_2 = KSL_MULF(si->m2, up);
+  const float enlarged_3 = KSL_MULF(si->m3, up);
+  const float enlarged_4 = KSL_MULF(si->m4, up);
+  const float enlarged_5 = KSL_MULF(si->m5, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
   const float quotient_3 = enlarged_3 / divisor;
   const float quotient_4 = enlarged_4 / divisor;
   const float quotient_5 = enlarged_5 / divisor;
-  const float so_0 = quotient_0 * down;
-  const float so_1 = quotient_1 * down;
-  const float so_2 = quotient_2 * down;
-  const float so_3 = quotient_3 * down;
-  const float so_4 = quotient_4 * down;
-  const float so_5 = quotient_5 * down;
+  const float so_0 = KSL_MULF(quotient_0, down);
+  const float so_1 = KSL_MULF(quotient_1, down);
+  const float so_2 = KSL_MULF(quotient_2, down);
+  const float so_3 = KSL_MULF(quotient_3, down);
+  const float so_4 = KSL_MULF(quotient_4, down);
+  const float so_5 = KSL_MULF(quotient_5, down);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1569,11 +1605,11 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -1593,11 +1629,11 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
@@ -1617,11 +1653,11 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
@@ -1641,18 +1677,18 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
      and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1668,18 +1704,18 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
      and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1695,18 +1731,18 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
      and underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1721,21 +1757,24 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1751,24 +1790,24 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const float so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const float so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const float so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1784,21 +1823,24 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1861,9 +1903,12 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0b = KSL_MULF(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1b = KSL_MULF(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1881,9 +1926,12 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0b = KSL_MULF(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1b = KSL_MULF(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -1901,9 +1949,12 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0b = KSL_MULF(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1b = KSL_MULF(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -1969,9 +2020,12 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0b = KSL_MULF(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1b = KSL_MULF(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -1989,9 +2043,12 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0b = KSL_MULF(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1b = KSL_MULF(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -2009,9 +2066,12 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0b = KSL_MULF(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1b = KSL_MULF(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -2029,15 +2089,24 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const float M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const float M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const float M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const float M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const float M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const float M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const float M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03b = KSL_MULF(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04b = KSL_MULF(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05b = KSL_MULF(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13b = KSL_MULF(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14b = KSL_MULF(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15b = KSL_MULF(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23b = KSL_MULF(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24b = KSL_MULF(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2091,10 +2160,11 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
+      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
+      power = power_e + power_j;
   return power;
 }
 
@@ -2105,15 +2175,21 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const float so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const float so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2129,9 +2205,12 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const float so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2146,15 +2225,15 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const float so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const float so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2169,12 +2248,12 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2189,15 +2268,15 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -2215,12 +2294,15 @@ static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ks
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

@@ -13,12 +13,12 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_accurate(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_lo = ksl_product_error(self->m0, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
   const double self_1_new_lo = ksl_product_error(self->m1, a, self_1_new),
@@ -45,32 +45,32 @@ static inline void ksl_screw_scale_accurate(ksl_screw_t *self, const double a) {
    Error <= u |result| + 3 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ss_accurate(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0,
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0,
       y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
       y_0_new_left_rest = ksl_product_rest(a, x->m0, y_0_new_a, y_0_new_left),
       y_0_new_right_rest = y->m0 - y_0_new_right,
       y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1,
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1,
       y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
       y_1_new_left_rest = ksl_product_rest(a, x->m1, y_1_new_a, y_1_new_left),
       y_1_new_right_rest = y->m1 - y_1_new_right,
       y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2,
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2,
       y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
       y_2_new_left_rest = ksl_product_rest(a, x->m2, y_2_new_a, y_2_new_left),
       y_2_new_right_rest = y->m2 - y_2_new_right,
       y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3,
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3,
       y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
       y_3_new_left_rest = ksl_product_rest(a, x->m3, y_3_new_a, y_3_new_left),
       y_3_new_right_rest = y->m3 - y_3_new_right,
       y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4,
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4,
       y_4_new_right = y_4_new - y_4_new_a, y_4_new_left = y_4_new - y_4_new_right,
       y_4_new_left_rest = ksl_product_rest(a, x->m4, y_4_new_a, y_4_new_left),
       y_4_new_right_rest = y->m4 - y_4_new_right,
       y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5,
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5,
       y_5_new_right = y_5_new - y_5_new_a, y_5_new_left = y_5_new - y_5_new_right,
       y_5_new_left_rest = ksl_product_rest(a, x->m5, y_5_new_a, y_5_new_left),
       y_5_new_right_rest = y->m5 - y_5_new_right,
@@ -180,12 +180,12 @@ static inline void ksl_nxpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_accurate(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   const double so_0_lo = ksl_product_error(a, si->m0, so_0), so_0_rounded = so_0 + so_0_lo;
   const double so_1_lo = ksl_product_error(a, si->m1, so_1), so_1_rounded = so_1 + so_1_lo;
   const double so_2_lo = ksl_product_error(a, si->m2, so_2), so_2_rounded = so_2 + so_2_lo;
@@ -295,32 +295,34 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
-      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
-      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
+      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -345,24 +347,26 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -370,12 +374,12 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = self->m0 * up;
-  const double enlarged_1 = self->m1 * up;
-  const double enlarged_2 = self->m2 * up;
-  const double enlarged_3 = self->m3 * up;
-  const double enlarged_4 = self->m4 * up;
-  const double enlarged_5 = self->m5 * up;
+  const double enlarged_0 = KSL_MUL(self->m0, up);
+  const double enlarged_1 = KSL_MUL(self->m1, up);
+  const double enlarged_2 = KSL_MUL(self->m2, up);
+  const double enlarged_3 = KSL_MUL(self->m3, up);
+  const double enlarged_4 = KSL_MUL(self->m4, up);
+  const double enlarged_5 = KSL_MUL(self->m5, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -383,51 +387,51 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -436,11 +440,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
-      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = self_0_new_rest * down,
+      self_0_new_small = KSL_MUL(self_0_new_rest, down),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -448,11 +452,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = self_1_new_of_quotient_1 * down,
-      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
+      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = self_1_new_rest * down,
+      self_1_new_small = KSL_MUL(self_1_new_rest, down),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -460,11 +464,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = self_2_new_of_quotient_2 * down,
-      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
+      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = self_2_new_rest * down,
+      self_2_new_small = KSL_MUL(self_2_new_rest, down),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -472,11 +476,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = self_3_new_of_quotient_3 * down,
-      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
+      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = self_3_new_rest * down,
+      self_3_new_small = KSL_MUL(self_3_new_rest, down),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -484,11 +488,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = self_4_new_of_quotient_4 * down,
-      self_4_new_back = self_4_new * self_0_new_inverse,
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
+      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = self_4_new_rest * down,
+      self_4_new_small = KSL_MUL(self_4_new_rest, down),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -496,11 +500,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = self_5_new_of_quotient_5 * down,
-      self_5_new_back = self_5_new * self_0_new_inverse,
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
+      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = self_5_new_rest * down,
+      self_5_new_small = KSL_MUL(self_5_new_rest, down),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -541,24 +545,26 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
       n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
       n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
       n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_e - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_e_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -566,12 +572,12 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = si->m0 * up;
-  const double enlarged_1 = si->m1 * up;
-  const double enlarged_2 = si->m2 * up;
-  const double enlarged_3 = si->m3 * up;
-  const double enlarged_4 = si->m4 * up;
-  const double enlarged_5 = si->m5 * up;
+  const double enlarged_0 = KSL_MUL(si->m0, up);
+  const double enlarged_1 = KSL_MUL(si->m1, up);
+  const double enlarged_2 = KSL_MUL(si->m2, up);
+  const double enlarged_3 = KSL_MUL(si->m3, up);
+  const double enlarged_4 = KSL_MUL(si->m4, up);
+  const double enlarged_5 = KSL_MUL(si->m5, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -579,51 +585,51 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
-      quotient_4_product = quotient_4 * quotient_0_of_divisor,
+      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
       quotient_4_rest = enlarged_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = quotient_4 * quotient_0_of_divisor_lo,
+      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
-      quotient_5_product = quotient_5 * quotient_0_of_divisor,
+      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
       quotient_5_rest = enlarged_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = quotient_5 * quotient_0_of_divisor_lo,
+      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
       quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
   const double so_0_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -632,54 +638,55 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_0_of_quotient_0_left_rest = quotient_0 - so_0_of_quotient_0_left,
       so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right,
       so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest,
-      so_0 = so_0_of_quotient_0 * down, so_0_inverse = 1.0 / down, so_0_back = so_0 * so_0_inverse,
-      so_0_lost = so_0_of_quotient_0 - so_0_back, so_0_rest = so_0_lost + so_0_of_quotient_0_lo,
-      so_0_small = so_0_rest * down, so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
+      so_0 = KSL_MUL(so_0_of_quotient_0, down), so_0_inverse = 1.0 / down,
+      so_0_back = KSL_MUL(so_0, so_0_inverse), so_0_lost = so_0_of_quotient_0 - so_0_back,
+      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, down),
+      so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
   const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1,
       so_1_of_quotient_1_left = so_1_of_quotient_1 - so_1_of_quotient_1_right,
       so_1_of_quotient_1_left_rest = quotient_1 - so_1_of_quotient_1_left,
       so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right,
       so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest,
-      so_1 = so_1_of_quotient_1 * down, so_1_back = so_1 * so_0_inverse,
+      so_1 = KSL_MUL(so_1_of_quotient_1, down), so_1_back = KSL_MUL(so_1, so_0_inverse),
       so_1_lost = so_1_of_quotient_1 - so_1_back, so_1_rest = so_1_lost + so_1_of_quotient_1_lo,
-      so_1_small = so_1_rest * down, so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
+      so_1_small = KSL_MUL(so_1_rest, down), so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
   const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2,
       so_2_of_quotient_2_left = so_2_of_quotient_2 - so_2_of_quotient_2_right,
       so_2_of_quotient_2_left_rest = quotient_2 - so_2_of_quotient_2_left,
       so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right,
       so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest,
-      so_2 = so_2_of_quotient_2 * down, so_2_back = so_2 * so_0_inverse,
+      so_2 = KSL_MUL(so_2_of_quotient_2, down), so_2_back = KSL_MUL(so_2, so_0_inverse),
       so_2_lost = so_2_of_quotient_2 - so_2_back, so_2_rest = so_2_lost + so_2_of_quotient_2_lo,
-      so_2_small = so_2_rest * down, so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
+      so_2_small = KSL_MUL(so_2_rest, down), so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
   const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3,
       so_3_of_quotient_3_left = so_3_of_quotient_3 - so_3_of_quotient_3_right,
       so_3_of_quotient_3_left_rest = quotient_3 - so_3_of_quotient_3_left,
       so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right,
       so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest,
-      so_3 = so_3_of_quotient_3 * down, so_3_back = so_3 * so_0_inverse,
+      so_3 = KSL_MUL(so_3_of_quotient_3, down), so_3_back = KSL_MUL(so_3, so_0_inverse),
       so_3_lost = so_3_of_quotient_3 - so_3_back, so_3_rest = so_3_lost + so_3_of_quotient_3_lo,
-      so_3_small = so_3_rest * down, so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
+      so_3_small = KSL_MUL(so_3_rest, down), so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
   const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4,
       so_4_of_quotient_4_left = so_4_of_quotient_4 - so_4_of_quotient_4_right,
       so_4_of_quotient_4_left_rest = quotient_4 - so_4_of_quotient_4_left,
       so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right,
       so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest,
-      so_4 = so_4_of_quotient_4 * down, so_4_back = so_4 * so_0_inverse,
+      so_4 = KSL_MUL(so_4_of_quotient_4, down), so_4_back = KSL_MUL(so_4, so_0_inverse),
       so_4_lost = so_4_of_quotient_4 - so_4_back, so_4_rest = so_4_lost + so_4_of_quotient_4_lo,
-      so_4_small = so_4_rest * down, so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
+      so_4_small = KSL_MUL(so_4_rest, down), so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
   const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5,
       so_5_of_quotient_5_left = so_5_of_quotient_5 - so_5_of_quotient_5_right,
       so_5_of_quotient_5_left_rest = quotient_5 - so_5_of_quotient_5_left,
       so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right,
       so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest,
-      so_5 = so_5_of_quotient_5 * down, so_5_back = so_5 * so_0_inverse,
+      so_5 = KSL_MUL(so_5_of_quotient_5, down), so_5_back = KSL_MUL(so_5, so_0_inverse),
       so_5_lost = so_5_of_quotient_5 - so_5_back, so_5_rest = so_5_lost + so_5_of_quotient_5_lo,
-      so_5_small = so_5_rest * down, so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
+      so_5_small = KSL_MUL(so_5_rest, down), so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
   const double so_0_rounded = so_0 + so_0_lo,
       so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
   const double so_1_rounded = so_1 + so_1_lo,
@@ -736,7 +743,7 @@ static inline void ksl_add_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t
      formula; barring over- and underflow. */
 static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(t->y, si->m5, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(t->z, si->m4, so_0b, so_0c_right),
@@ -744,7 +751,7 @@ static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_scre
       so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(t->z, si->m3, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(t->x, si->m5, so_1b, so_1c_right),
@@ -752,7 +759,7 @@ static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_scre
       so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(t->x, si->m4, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(t->y, si->m3, so_2b, so_2c_right),
@@ -781,7 +788,7 @@ static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(t->z, si->m4, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(t->y, si->m5, so_0b, so_0c_right),
@@ -789,7 +796,7 @@ static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_s
       so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(t->x, si->m5, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(t->z, si->m3, so_1b, so_1c_right),
@@ -797,7 +804,7 @@ static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_s
       so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(t->y, si->m3, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(t->x, si->m4, so_2b, so_2c_right),
@@ -826,7 +833,7 @@ static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(t->z, si->m4, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(t->y, si->m5, so_0b, so_0c_right),
@@ -834,7 +841,7 @@ static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_s
       so_0_right = so_0c - so_0, so_0_left = so_0 + so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest - so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(t->x, si->m5, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(t->z, si->m3, so_1b, so_1c_right),
@@ -842,7 +849,7 @@ static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_s
       so_1_right = so_1c - so_1, so_1_left = so_1 + so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest - so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(t->y, si->m3, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(t->x, si->m4, so_2b, so_2c_right),
@@ -871,52 +878,58 @@ static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_s
      over- and underflow. */
 static inline void ksl_product_Adrs_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m02, si->m2),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
+      so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = ksl_product_rest(R->m02, si->m2, so_0d, so_0_right),
       so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(R->m10, si->m0, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m12, si->m2),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
+      so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = ksl_product_rest(R->m12, si->m2, so_1d, so_1_right),
       so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(R->m20, si->m0, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
+      so_2_left_rest = so_2c - so_2_left,
       so_2_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2_right),
       so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
       so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
       so_3c_right_rest = ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d,
-      so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right, so_3_left_rest = so_3c - so_3_left,
+      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m02, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
+      so_3_left_rest = so_3c - so_3_left,
       so_3_right_rest = ksl_product_rest(R->m02, si->m5, so_3d, so_3_right),
       so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
       so_4c_left_rest = ksl_product_rest(R->m10, si->m3, so_4a, so_4c_left),
       so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d,
-      so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right, so_4_left_rest = so_4c - so_4_left,
+      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m12, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
+      so_4_left_rest = so_4c - so_4_left,
       so_4_right_rest = ksl_product_rest(R->m12, si->m5, so_4d, so_4_right),
       so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
       so_5c_left_rest = ksl_product_rest(R->m20, si->m3, so_5a, so_5c_left),
       so_5c_right_rest = ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d,
-      so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right, so_5_left_rest = so_5c - so_5_left,
+      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
+      so_5_left_rest = so_5c - so_5_left,
       so_5_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5_right),
       so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
   const double so_0_rounded = so_0 + so_0_lo;
@@ -940,52 +953,58 @@ static inline void ksl_product_Adrs_accurate(const ksl_mat3x3_t *R, const ksl_sc
      over- and underflow. */
 static inline void ksl_product_Adrinvs_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(R->m10, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m20, si->m2),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
+      so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = ksl_product_rest(R->m20, si->m2, so_0d, so_0_right),
       so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(R->m01, si->m0, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m21, si->m2),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
+      so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = ksl_product_rest(R->m21, si->m2, so_1d, so_1_right),
       so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(R->m02, si->m0, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(R->m12, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
+      so_2_left_rest = so_2c - so_2_left,
       so_2_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2_right),
       so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
       so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
       so_3c_right_rest = ksl_product_rest(R->m10, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d,
-      so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right, so_3_left_rest = so_3c - so_3_left,
+      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m20, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
+      so_3_left_rest = so_3c - so_3_left,
       so_3_right_rest = ksl_product_rest(R->m20, si->m5, so_3d, so_3_right),
       so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
-  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
       so_4c_left_rest = ksl_product_rest(R->m01, si->m3, so_4a, so_4c_left),
       so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d,
-      so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right, so_4_left_rest = so_4c - so_4_left,
+      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m21, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
+      so_4_left_rest = so_4c - so_4_left,
       so_4_right_rest = ksl_product_rest(R->m21, si->m5, so_4d, so_4_right),
       so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
-  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
       so_5c_left_rest = ksl_product_rest(R->m02, si->m3, so_5a, so_5c_left),
       so_5c_right_rest = ksl_product_rest(R->m12, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d,
-      so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right, so_5_left_rest = so_5c - so_5_left,
+      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
+      so_5_left_rest = so_5c - so_5_left,
       so_5_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5_right),
       so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
   const double so_0_rounded = so_0 + so_0_lo;
@@ -1009,62 +1028,62 @@ static inline void ksl_product_Adrinvs_accurate(const ksl_mat3x3_t *R, const ksl
      over- and underflow. */
 static inline void ksl_product_Adrsinv_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d,
-      so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m02, si->m2),
+      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
       so_0e_left_rest = so_0c - so_0e_left,
       so_0e_right_rest = ksl_product_rest(R->m02, si->m2, so_0d, so_0e_right),
       so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
       so_0 = -so_0e, so_0_lo = -so_0e_lo;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(R->m10, si->m0, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d,
-      so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m12, si->m2),
+      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
       so_1e_left_rest = so_1c - so_1e_left,
       so_1e_right_rest = ksl_product_rest(R->m12, si->m2, so_1d, so_1e_right),
       so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
       so_1 = -so_1e, so_1_lo = -so_1e_lo;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(R->m20, si->m0, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d,
-      so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
       so_2e_left_rest = so_2c - so_2e_left,
       so_2e_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2e_right),
       so_2e_lo1 = so_2e_left_rest + so_2e_right_rest, so_2e_lo = so_2e_lo1 + so_2c_lo,
       so_2 = -so_2e, so_2_lo = -so_2e_lo;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
       so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
       so_3c_right_rest = ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d,
-      so_3e_right = so_3e - so_3c, so_3e_left = so_3e - so_3e_right,
+      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m02, si->m5),
+      so_3e = so_3c + so_3d, so_3e_right = so_3e - so_3c, so_3e_left = so_3e - so_3e_right,
       so_3e_left_rest = so_3c - so_3e_left,
       so_3e_right_rest = ksl_product_rest(R->m02, si->m5, so_3d, so_3e_right),
       so_3e_lo1 = so_3e_left_rest + so_3e_right_rest, so_3e_lo = so_3e_lo1 + so_3c_lo,
       so_3 = -so_3e, so_3_lo = -so_3e_lo;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
       so_4c_left_rest = ksl_product_rest(R->m10, si->m3, so_4a, so_4c_left),
       so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d,
-      so_4e_right = so_4e - so_4c, so_4e_left = so_4e - so_4e_right,
+      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m12, si->m5),
+      so_4e = so_4c + so_4d, so_4e_right = so_4e - so_4c, so_4e_left = so_4e - so_4e_right,
       so_4e_left_rest = so_4c - so_4e_left,
       so_4e_right_rest = ksl_product_rest(R->m12, si->m5, so_4d, so_4e_right),
       so_4e_lo1 = so_4e_left_rest + so_4e_right_rest, so_4e_lo = so_4e_lo1 + so_4c_lo,
       so_4 = -so_4e, so_4_lo = -so_4e_lo;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
       so_5c_left_rest = ksl_product_rest(R->m20, si->m3, so_5a, so_5c_left),
       so_5c_right_rest = ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d,
-      so_5e_right = so_5e - so_5c, so_5e_left = so_5e - so_5e_right,
+      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5e = so_5c + so_5d, so_5e_right = so_5e - so_5c, so_5e_left = so_5e - so_5e_right,
       so_5e_left_rest = so_5c - so_5e_left,
       so_5e_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5e_right),
       so_5e_lo1 = so_5e_left_rest + so_5e_right_rest, so_5e_lo = so_5e_lo1 + so_5c_lo,
@@ -1090,57 +1109,57 @@ static inline void ksl_product_Adrsinv_accurate(const ksl_mat3x3_t *R, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, si->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d,
       w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = ksl_product_rest(D->m02, si->m2, w_0d, w_0_right),
       w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, si->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d,
       w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = ksl_product_rest(D->m12, si->m2, w_1d, w_1_right),
       w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, si->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d,
       w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = ksl_product_rest(D->m22, si->m2, w_2d, w_2_right),
       w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, si->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d,
       w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
       w_3_right_rest = ksl_product_rest(D->m02, si->m5, w_3d, w_3_right),
       w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, si->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d,
       w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
       w_4_right_rest = ksl_product_rest(D->m12, si->m5, w_4d, w_4_right),
       w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, si->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d,
       w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
       w_5_right_rest = ksl_product_rest(D->m22, si->m5, w_5d, w_5_right),
       w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double so_0a = D->m13 * w_5, so_0a_cross2 = D->m13 * w_5_lo, so_0b = D->m23 * w_4,
-      so_0b_cross2 = D->m23 * w_4_lo, so_0c = so_0a - so_0b, so_0c_right = so_0a - so_0c,
-      so_0c_left = so_0c + so_0c_right,
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0a_cross2 = KSL_MUL(D->m13, w_5_lo),
+      so_0b = KSL_MUL(D->m23, w_4), so_0b_cross2 = KSL_MUL(D->m23, w_4_lo), so_0c = so_0a - so_0b,
+      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(D->m13, w_5, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(D->m23, w_4, so_0b, so_0c_right),
       so_0c_cross = so_0a_cross2 - so_0b_cross2, so_0c_lo1 = so_0c_left_rest - so_0c_right_rest,
@@ -1148,9 +1167,9 @@ static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_
       so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = w_0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
       so_0_lo2 = so_0_lo1 + w_0_lo, so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = D->m23 * w_3, so_1a_cross2 = D->m23 * w_3_lo, so_1b = D->m03 * w_5,
-      so_1b_cross2 = D->m03 * w_5_lo, so_1c = so_1a - so_1b, so_1c_right = so_1a - so_1c,
-      so_1c_left = so_1c + so_1c_right,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1a_cross2 = KSL_MUL(D->m23, w_3_lo),
+      so_1b = KSL_MUL(D->m03, w_5), so_1b_cross2 = KSL_MUL(D->m03, w_5_lo), so_1c = so_1a - so_1b,
+      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(D->m23, w_3, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(D->m03, w_5, so_1b, so_1c_right),
       so_1c_cross = so_1a_cross2 - so_1b_cross2, so_1c_lo1 = so_1c_left_rest - so_1c_right_rest,
@@ -1158,9 +1177,9 @@ static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_
       so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = w_1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
       so_1_lo2 = so_1_lo1 + w_1_lo, so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = D->m03 * w_4, so_2a_cross2 = D->m03 * w_4_lo, so_2b = D->m13 * w_3,
-      so_2b_cross2 = D->m13 * w_3_lo, so_2c = so_2a - so_2b, so_2c_right = so_2a - so_2c,
-      so_2c_left = so_2c + so_2c_right,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2a_cross2 = KSL_MUL(D->m03, w_4_lo),
+      so_2b = KSL_MUL(D->m13, w_3), so_2b_cross2 = KSL_MUL(D->m13, w_3_lo), so_2c = so_2a - so_2b,
+      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(D->m03, w_4, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(D->m13, w_3, so_2b, so_2c_right),
       so_2c_cross = so_2a_cross2 - so_2b_cross2, so_2c_lo1 = so_2c_left_rest - so_2c_right_rest,
@@ -1189,7 +1208,7 @@ static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_
      formula; barring over- and underflow. */
 static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0c_right = w_0a - w_0c, w_0c_left = w_0c + w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m23, si->m4, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m13, si->m5, w_0b, w_0c_right),
@@ -1197,7 +1216,7 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
       w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
       w_0_right_rest = si->m0 - w_0_right, w_0_lo1 = w_0_left_rest + w_0_right_rest,
       w_0_lo = w_0_lo1 + w_0c_lo;
-  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1c_right = w_1a - w_1c, w_1c_left = w_1c + w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m03, si->m5, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m23, si->m3, w_1b, w_1c_right),
@@ -1205,7 +1224,7 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
       w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
       w_1_right_rest = si->m1 - w_1_right, w_1_lo1 = w_1_left_rest + w_1_right_rest,
       w_1_lo = w_1_lo1 + w_1c_lo;
-  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2c_right = w_2a - w_2c, w_2c_left = w_2c + w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m13, si->m3, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m03, si->m4, w_2b, w_2c_right),
@@ -1213,64 +1232,67 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
       w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
       w_2_right_rest = si->m2 - w_2_right, w_2_lo1 = w_2_left_rest + w_2_right_rest,
       w_2_lo = w_2_lo1 + w_2c_lo;
-  const double so_0a = D->m00 * w_0, so_0a_cross2 = D->m00 * w_0_lo, so_0b = D->m10 * w_1,
-      so_0b_cross2 = D->m10 * w_1_lo, so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a,
-      so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0a_cross2 = KSL_MUL(D->m00, w_0_lo),
+      so_0b = KSL_MUL(D->m10, w_1), so_0b_cross2 = KSL_MUL(D->m10, w_1_lo), so_0c = so_0a + so_0b,
+      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(D->m00, w_0, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(D->m10, w_1, so_0b, so_0c_right),
       so_0c_cross = so_0a_cross2 + so_0b_cross2, so_0c_lo1 = so_0c_left_rest + so_0c_right_rest,
-      so_0c_lo = so_0c_lo1 + so_0c_cross, so_0d = D->m20 * w_2, so_0d_cross2 = D->m20 * w_2_lo,
-      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = so_0c - so_0_left,
+      so_0c_lo = so_0c_lo1 + so_0c_cross, so_0d = KSL_MUL(D->m20, w_2),
+      so_0d_cross2 = KSL_MUL(D->m20, w_2_lo), so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
+      so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = ksl_product_rest(D->m20, w_2, so_0d, so_0_right),
       so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo2 = so_0_lo1 + so_0d_cross2,
       so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = D->m01 * w_0, so_1a_cross2 = D->m01 * w_0_lo, so_1b = D->m11 * w_1,
-      so_1b_cross2 = D->m11 * w_1_lo, so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a,
-      so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1a_cross2 = KSL_MUL(D->m01, w_0_lo),
+      so_1b = KSL_MUL(D->m11, w_1), so_1b_cross2 = KSL_MUL(D->m11, w_1_lo), so_1c = so_1a + so_1b,
+      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(D->m01, w_0, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(D->m11, w_1, so_1b, so_1c_right),
       so_1c_cross = so_1a_cross2 + so_1b_cross2, so_1c_lo1 = so_1c_left_rest + so_1c_right_rest,
-      so_1c_lo = so_1c_lo1 + so_1c_cross, so_1d = D->m21 * w_2, so_1d_cross2 = D->m21 * w_2_lo,
-      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = so_1c - so_1_left,
+      so_1c_lo = so_1c_lo1 + so_1c_cross, so_1d = KSL_MUL(D->m21, w_2),
+      so_1d_cross2 = KSL_MUL(D->m21, w_2_lo), so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
+      so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = ksl_product_rest(D->m21, w_2, so_1d, so_1_right),
       so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo2 = so_1_lo1 + so_1d_cross2,
       so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = D->m02 * w_0, so_2a_cross2 = D->m02 * w_0_lo, so_2b = D->m12 * w_1,
-      so_2b_cross2 = D->m12 * w_1_lo, so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a,
-      so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2a_cross2 = KSL_MUL(D->m02, w_0_lo),
+      so_2b = KSL_MUL(D->m12, w_1), so_2b_cross2 = KSL_MUL(D->m12, w_1_lo), so_2c = so_2a + so_2b,
+      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(D->m02, w_0, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(D->m12, w_1, so_2b, so_2c_right),
       so_2c_cross = so_2a_cross2 + so_2b_cross2, so_2c_lo1 = so_2c_left_rest + so_2c_right_rest,
-      so_2c_lo = so_2c_lo1 + so_2c_cross, so_2d = D->m22 * w_2, so_2d_cross2 = D->m22 * w_2_lo,
-      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = so_2c - so_2_left,
+      so_2c_lo = so_2c_lo1 + so_2c_cross, so_2d = KSL_MUL(D->m22, w_2),
+      so_2d_cross2 = KSL_MUL(D->m22, w_2_lo), so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
+      so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
       so_2_right_rest = ksl_product_rest(D->m22, w_2, so_2d, so_2_right),
       so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo2 = so_2_lo1 + so_2d_cross2,
       so_2_lo = so_2_lo2 + so_2c_lo;
-  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
       so_3c_left_rest = ksl_product_rest(D->m00, si->m3, so_3a, so_3c_left),
       so_3c_right_rest = ksl_product_rest(D->m10, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d,
-      so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right, so_3_left_rest = so_3c - so_3_left,
+      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(D->m20, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
+      so_3_left_rest = so_3c - so_3_left,
       so_3_right_rest = ksl_product_rest(D->m20, si->m5, so_3d, so_3_right),
       so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
-  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
       so_4c_left_rest = ksl_product_rest(D->m01, si->m3, so_4a, so_4c_left),
       so_4c_right_rest = ksl_product_rest(D->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d,
-      so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right, so_4_left_rest = so_4c - so_4_left,
+      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(D->m21, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
+      so_4_left_rest = so_4c - so_4_left,
       so_4_right_rest = ksl_product_rest(D->m21, si->m5, so_4d, so_4_right),
       so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
-  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
       so_5c_left_rest = ksl_product_rest(D->m02, si->m3, so_5a, so_5c_left),
       so_5c_right_rest = ksl_product_rest(D->m12, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d,
-      so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right, so_5_left_rest = so_5c - so_5_left,
+      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(D->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
+      so_5_left_rest = so_5c - so_5_left,
       so_5_right_rest = ksl_product_rest(D->m22, si->m5, so_5d, so_5_right),
       so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
   const double so_0_rounded = so_0 + so_0_lo;
@@ -1294,63 +1316,69 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
       w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
       w_0c_left_rest = ksl_product_rest(D->m00, si->m0, w_0a, w_0c_left),
       w_0c_right_rest = ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d,
-      w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right, w_0e_left_rest = w_0c - w_0e_left,
+      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, si->m2),
+      w_0e = w_0c + w_0d, w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right,
+      w_0e_left_rest = w_0c - w_0e_left,
       w_0e_right_rest = ksl_product_rest(D->m02, si->m2, w_0d, w_0e_right),
       w_0e_lo1 = w_0e_left_rest + w_0e_right_rest, w_0e_lo = w_0e_lo1 + w_0c_lo, w_0 = -w_0e,
       w_0_lo = -w_0e_lo;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
       w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
       w_1c_left_rest = ksl_product_rest(D->m10, si->m0, w_1a, w_1c_left),
       w_1c_right_rest = ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d,
-      w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right, w_1e_left_rest = w_1c - w_1e_left,
+      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, si->m2),
+      w_1e = w_1c + w_1d, w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right,
+      w_1e_left_rest = w_1c - w_1e_left,
       w_1e_right_rest = ksl_product_rest(D->m12, si->m2, w_1d, w_1e_right),
       w_1e_lo1 = w_1e_left_rest + w_1e_right_rest, w_1e_lo = w_1e_lo1 + w_1c_lo, w_1 = -w_1e,
       w_1_lo = -w_1e_lo;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
       w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
       w_2c_left_rest = ksl_product_rest(D->m20, si->m0, w_2a, w_2c_left),
       w_2c_right_rest = ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d,
-      w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right, w_2e_left_rest = w_2c - w_2e_left,
+      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, si->m2),
+      w_2e = w_2c + w_2d, w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right,
+      w_2e_left_rest = w_2c - w_2e_left,
       w_2e_right_rest = ksl_product_rest(D->m22, si->m2, w_2d, w_2e_right),
       w_2e_lo1 = w_2e_left_rest + w_2e_right_rest, w_2e_lo = w_2e_lo1 + w_2c_lo, w_2 = -w_2e,
       w_2_lo = -w_2e_lo;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
       w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
       w_3c_left_rest = ksl_product_rest(D->m00, si->m3, w_3a, w_3c_left),
       w_3c_right_rest = ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d,
-      w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right, w_3e_left_rest = w_3c - w_3e_left,
+      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, si->m5),
+      w_3e = w_3c + w_3d, w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right,
+      w_3e_left_rest = w_3c - w_3e_left,
       w_3e_right_rest = ksl_product_rest(D->m02, si->m5, w_3d, w_3e_right),
       w_3e_lo1 = w_3e_left_rest + w_3e_right_rest, w_3e_lo = w_3e_lo1 + w_3c_lo, w_3 = -w_3e,
       w_3_lo = -w_3e_lo;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
       w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
       w_4c_left_rest = ksl_product_rest(D->m10, si->m3, w_4a, w_4c_left),
       w_4c_right_rest = ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d,
-      w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right, w_4e_left_rest = w_4c - w_4e_left,
+      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, si->m5),
+      w_4e = w_4c + w_4d, w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right,
+      w_4e_left_rest = w_4c - w_4e_left,
       w_4e_right_rest = ksl_product_rest(D->m12, si->m5, w_4d, w_4e_right),
       w_4e_lo1 = w_4e_left_rest + w_4e_right_rest, w_4e_lo = w_4e_lo1 + w_4c_lo, w_4 = -w_4e,
       w_4_lo = -w_4e_lo;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
       w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
       w_5c_left_rest = ksl_product_rest(D->m20, si->m3, w_5a, w_5c_left),
       w_5c_right_rest = ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d,
-      w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right, w_5e_left_rest = w_5c - w_5e_left,
+      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, si->m5),
+      w_5e = w_5c + w_5d, w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right,
+      w_5e_left_rest = w_5c - w_5e_left,
       w_5e_right_rest = ksl_product_rest(D->m22, si->m5, w_5d, w_5e_right),
       w_5e_lo1 = w_5e_left_rest + w_5e_right_rest, w_5e_lo = w_5e_lo1 + w_5c_lo, w_5 = -w_5e,
       w_5_lo = -w_5e_lo;
-  const double so_0a = D->m13 * w_5, so_0a_cross2 = D->m13 * w_5_lo, so_0b = D->m23 * w_4,
-      so_0b_cross2 = D->m23 * w_4_lo, so_0c = so_0a - so_0b, so_0c_right = so_0a - so_0c,
-      so_0c_left = so_0c + so_0c_right,
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0a_cross2 = KSL_MUL(D->m13, w_5_lo),
+      so_0b = KSL_MUL(D->m23, w_4), so_0b_cross2 = KSL_MUL(D->m23, w_4_lo), so_0c = so_0a - so_0b,
+      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(D->m13, w_5, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(D->m23, w_4, so_0b, so_0c_right),
       so_0c_cross = so_0a_cross2 - so_0b_cross2, so_0c_lo1 = so_0c_left_rest - so_0c_right_rest,
@@ -1358,9 +1386,9 @@ static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_scr
       so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = w_0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
       so_0_lo2 = so_0_lo1 + w_0_lo, so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = D->m23 * w_3, so_1a_cross2 = D->m23 * w_3_lo, so_1b = D->m03 * w_5,
-      so_1b_cross2 = D->m03 * w_5_lo, so_1c = so_1a - so_1b, so_1c_right = so_1a - so_1c,
-      so_1c_left = so_1c + so_1c_right,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1a_cross2 = KSL_MUL(D->m23, w_3_lo),
+      so_1b = KSL_MUL(D->m03, w_5), so_1b_cross2 = KSL_MUL(D->m03, w_5_lo), so_1c = so_1a - so_1b,
+      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(D->m23, w_3, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(D->m03, w_5, so_1b, so_1c_right),
       so_1c_cross = so_1a_cross2 - so_1b_cross2, so_1c_lo1 = so_1c_left_rest - so_1c_right_rest,
@@ -1368,9 +1396,9 @@ static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_scr
       so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = w_1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
       so_1_lo2 = so_1_lo1 + w_1_lo, so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = D->m03 * w_4, so_2a_cross2 = D->m03 * w_4_lo, so_2b = D->m13 * w_3,
-      so_2b_cross2 = D->m13 * w_3_lo, so_2c = so_2a - so_2b, so_2c_right = so_2a - so_2c,
-      so_2c_left = so_2c + so_2c_right,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2a_cross2 = KSL_MUL(D->m03, w_4_lo),
+      so_2b = KSL_MUL(D->m13, w_3), so_2b_cross2 = KSL_MUL(D->m13, w_3_lo), so_2c = so_2a - so_2b,
+      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(D->m03, w_4, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(D->m13, w_3, so_2b, so_2c_right),
       so_2c_cross = so_2a_cross2 - so_2b_cross2, so_2c_lo1 = so_2c_left_rest - so_2c_right_rest,
@@ -1398,18 +1426,18 @@ static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_scr
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrx_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m20, D->m13, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m10, D->m23, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m00, D->m23, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m20, D->m03, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m10, D->m03, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m00, D->m13, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1433,18 +1461,18 @@ static inline void ksl_hsrx_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsry_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m21, D->m13, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m11, D->m23, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m01, D->m23, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m21, D->m03, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m11, D->m03, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m01, D->m13, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1468,18 +1496,18 @@ static inline void ksl_hsry_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrz_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m22, D->m13, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m12, D->m23, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m02, D->m23, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m22, D->m03, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m12, D->m03, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m02, D->m13, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1503,18 +1531,18 @@ static inline void ksl_hsrz_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m10, D->m23, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m20, D->m13, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m20, D->m03, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m00, D->m23, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m00, D->m13, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m10, D->m03, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1538,18 +1566,18 @@ static inline void ksl_hsrxinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m11, D->m23, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m21, D->m13, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m21, D->m03, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m01, D->m23, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m01, D->m13, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m11, D->m03, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1573,18 +1601,18 @@ static inline void ksl_hsryinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 6, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m12, D->m23, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m22, D->m13, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m22, D->m03, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m02, D->m23, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m02, D->m13, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m12, D->m03, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1608,48 +1636,48 @@ static inline void ksl_hsrzinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b,
-      M_03_right = M_03a - M_03, M_03_left = M_03 + M_03_right,
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
+      M_03 = M_03a - M_03b, M_03_right = M_03a - M_03, M_03_left = M_03 + M_03_right,
       M_03_left_rest = ksl_product_rest(D->m20, D->m13, M_03a, M_03_left),
       M_03_right_rest = ksl_product_rest(D->m10, D->m23, M_03b, M_03_right),
       M_03_lo = M_03_left_rest - M_03_right_rest;
-  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b,
-      M_04_right = M_04a - M_04, M_04_left = M_04 + M_04_right,
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
+      M_04 = M_04a - M_04b, M_04_right = M_04a - M_04, M_04_left = M_04 + M_04_right,
       M_04_left_rest = ksl_product_rest(D->m21, D->m13, M_04a, M_04_left),
       M_04_right_rest = ksl_product_rest(D->m11, D->m23, M_04b, M_04_right),
       M_04_lo = M_04_left_rest - M_04_right_rest;
-  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b,
-      M_05_right = M_05a - M_05, M_05_left = M_05 + M_05_right,
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
+      M_05 = M_05a - M_05b, M_05_right = M_05a - M_05, M_05_left = M_05 + M_05_right,
       M_05_left_rest = ksl_product_rest(D->m22, D->m13, M_05a, M_05_left),
       M_05_right_rest = ksl_product_rest(D->m12, D->m23, M_05b, M_05_right),
       M_05_lo = M_05_left_rest - M_05_right_rest;
-  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b,
-      M_13_right = M_13a - M_13, M_13_left = M_13 + M_13_right,
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
+      M_13 = M_13a - M_13b, M_13_right = M_13a - M_13, M_13_left = M_13 + M_13_right,
       M_13_left_rest = ksl_product_rest(D->m00, D->m23, M_13a, M_13_left),
       M_13_right_rest = ksl_product_rest(D->m20, D->m03, M_13b, M_13_right),
       M_13_lo = M_13_left_rest - M_13_right_rest;
-  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b,
-      M_14_right = M_14a - M_14, M_14_left = M_14 + M_14_right,
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
+      M_14 = M_14a - M_14b, M_14_right = M_14a - M_14, M_14_left = M_14 + M_14_right,
       M_14_left_rest = ksl_product_rest(D->m01, D->m23, M_14a, M_14_left),
       M_14_right_rest = ksl_product_rest(D->m21, D->m03, M_14b, M_14_right),
       M_14_lo = M_14_left_rest - M_14_right_rest;
-  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b,
-      M_15_right = M_15a - M_15, M_15_left = M_15 + M_15_right,
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
+      M_15 = M_15a - M_15b, M_15_right = M_15a - M_15, M_15_left = M_15 + M_15_right,
       M_15_left_rest = ksl_product_rest(D->m02, D->m23, M_15a, M_15_left),
       M_15_right_rest = ksl_product_rest(D->m22, D->m03, M_15b, M_15_right),
       M_15_lo = M_15_left_rest - M_15_right_rest;
-  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b,
-      M_23_right = M_23a - M_23, M_23_left = M_23 + M_23_right,
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
+      M_23 = M_23a - M_23b, M_23_right = M_23a - M_23, M_23_left = M_23 + M_23_right,
       M_23_left_rest = ksl_product_rest(D->m10, D->m03, M_23a, M_23_left),
       M_23_right_rest = ksl_product_rest(D->m00, D->m13, M_23b, M_23_right),
       M_23_lo = M_23_left_rest - M_23_right_rest;
-  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b,
-      M_24_right = M_24a - M_24, M_24_left = M_24 + M_24_right,
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
+      M_24 = M_24a - M_24b, M_24_right = M_24a - M_24, M_24_left = M_24 + M_24_right,
       M_24_left_rest = ksl_product_rest(D->m11, D->m03, M_24a, M_24_left),
       M_24_right_rest = ksl_product_rest(D->m01, D->m13, M_24b, M_24_right),
       M_24_lo = M_24_left_rest - M_24_right_rest;
-  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b,
-      M_25_right = M_25a - M_25, M_25_left = M_25 + M_25_right,
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
+      M_25 = M_25a - M_25b, M_25_right = M_25a - M_25, M_25_left = M_25 + M_25_right,
       M_25_left_rest = ksl_product_rest(D->m12, D->m03, M_25a, M_25_left),
       M_25_right_rest = ksl_product_rest(D->m02, D->m13, M_25b, M_25_right),
       M_25_lo = M_25_left_rest - M_25_right_rest;
@@ -1715,20 +1743,21 @@ static inline void ksl_Ad_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 19 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline double ksl_dot_cs_accurate(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_c_right = power_c - power_a, power_c_left = power_c - power_c_right,
+  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
+      power_c = power_a + power_b, power_c_right = power_c - power_a,
+      power_c_left = power_c - power_c_right,
       power_c_left_rest = ksl_product_rest(c->m0, s->m0, power_a, power_c_left),
       power_c_right_rest = ksl_product_rest(c->m1, s->m1, power_b, power_c_right),
-      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = c->m2 * s->m2,
+      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = KSL_MUL(c->m2, s->m2),
       power_e = power_c + power_d, power_e_right = power_e - power_c,
       power_e_left = power_e - power_e_right, power_e_left_rest = power_c - power_e_left,
       power_e_right_rest = ksl_product_rest(c->m2, s->m2, power_d, power_e_right),
       power_e_lo1 = power_e_left_rest + power_e_right_rest, power_e_lo = power_e_lo1 + power_c_lo,
-      power_f = c->m3 * s->m3, power_g = c->m4 * s->m4, power_h = power_f + power_g,
+      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
       power_h_right = power_h - power_f, power_h_left = power_h - power_h_right,
       power_h_left_rest = ksl_product_rest(c->m3, s->m3, power_f, power_h_left),
       power_h_right_rest = ksl_product_rest(c->m4, s->m4, power_g, power_h_right),
-      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = c->m5 * s->m5,
+      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = KSL_MUL(c->m5, s->m5),
       power_j = power_h + power_i, power_j_right = power_j - power_h,
       power_j_left = power_j - power_j_right, power_j_left_rest = power_h - power_j_left,
       power_j_right_rest = ksl_product_rest(c->m5, s->m5, power_i, power_j_right),
@@ -1749,12 +1778,12 @@ static inline double ksl_dot_cs_accurate(const ksl_coscrew_t *c, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
       so_0c_left_rest = ksl_product_rest(s1->m1, s2->m5, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(s1->m5, s2->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0d = s1->m4 * s2->m2,
-      so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0f_right = so_0d - so_0f,
+      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0d = KSL_MUL(s1->m4, s2->m2),
+      so_0e = KSL_MUL(s1->m2, s2->m4), so_0f = so_0d - so_0e, so_0f_right = so_0d - so_0f,
       so_0f_left = so_0f + so_0f_right,
       so_0f_left_rest = ksl_product_rest(s1->m4, s2->m2, so_0d, so_0f_left),
       so_0f_right_rest = ksl_product_rest(s1->m2, s2->m4, so_0e, so_0f_right),
@@ -1762,12 +1791,12 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
       so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = so_0f - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
       so_0_lo2 = so_0_lo1 + so_0f_lo, so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
       so_1c_left_rest = ksl_product_rest(s1->m5, s2->m0, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(s1->m0, s2->m5, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1d = s1->m2 * s2->m3,
-      so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1f_right = so_1d - so_1f,
+      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1d = KSL_MUL(s1->m2, s2->m3),
+      so_1e = KSL_MUL(s1->m3, s2->m2), so_1f = so_1d - so_1e, so_1f_right = so_1d - so_1f,
       so_1f_left = so_1f + so_1f_right,
       so_1f_left_rest = ksl_product_rest(s1->m2, s2->m3, so_1d, so_1f_left),
       so_1f_right_rest = ksl_product_rest(s1->m3, s2->m2, so_1e, so_1f_right),
@@ -1775,12 +1804,12 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
       so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = so_1f - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
       so_1_lo2 = so_1_lo1 + so_1f_lo, so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
       so_2c_left_rest = ksl_product_rest(s1->m0, s2->m4, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(s1->m4, s2->m0, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2d = s1->m3 * s2->m1,
-      so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2f_right = so_2d - so_2f,
+      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2d = KSL_MUL(s1->m3, s2->m1),
+      so_2e = KSL_MUL(s1->m1, s2->m3), so_2f = so_2d - so_2e, so_2f_right = so_2d - so_2f,
       so_2f_left = so_2f + so_2f_right,
       so_2f_left_rest = ksl_product_rest(s1->m3, s2->m1, so_2d, so_2f_left),
       so_2f_right_rest = ksl_product_rest(s1->m1, s2->m3, so_2e, so_2f_right),
@@ -1788,18 +1817,18 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
       so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
       so_2_right_rest = so_2f - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
       so_2_lo2 = so_2_lo1 + so_2f_lo, so_2_lo = so_2_lo2 + so_2c_lo;
-  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b,
-      so_3_right = so_3a - so_3, so_3_left = so_3 + so_3_right,
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b, so_3_right = so_3a - so_3, so_3_left = so_3 + so_3_right,
       so_3_left_rest = ksl_product_rest(s1->m4, s2->m5, so_3a, so_3_left),
       so_3_right_rest = ksl_product_rest(s1->m5, s2->m4, so_3b, so_3_right),
       so_3_lo = so_3_left_rest - so_3_right_rest;
-  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b,
-      so_4_right = so_4a - so_4, so_4_left = so_4 + so_4_right,
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b, so_4_right = so_4a - so_4, so_4_left = so_4 + so_4_right,
       so_4_left_rest = ksl_product_rest(s1->m5, s2->m3, so_4a, so_4_left),
       so_4_right_rest = ksl_product_rest(s1->m3, s2->m5, so_4b, so_4_right),
       so_4_lo = so_4_left_rest - so_4_right_rest;
-  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b,
-      so_5_right = so_5a - so_5, so_5_left = so_5 + so_5_right,
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b, so_5_right = so_5a - so_5, so_5_left = so_5 + so_5_right,
       so_5_left_rest = ksl_product_rest(s1->m3, s2->m4, so_5a, so_5_left),
       so_5_right_rest = ksl_product_rest(s1->m4, s2->m3, so_5b, so_5_right),
       so_5_lo = so_5_left_rest - so_5_right_rest;
@@ -1824,18 +1853,18 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
      formula; barring over- and underflow. */
 static inline void ksl_cross_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(s1->m4, s2->m2, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(s1->m5, s2->m1, so_0b, so_0_right),
       so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(s1->m5, s2->m0, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(s1->m3, s2->m2, so_1b, so_1_right),
       so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(s1->m3, s2->m1, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(s1->m4, s2->m0, so_2b, so_2_right),
       so_2_lo = so_2_left_rest - so_2_right_rest;
@@ -1856,47 +1885,50 @@ static inline void ksl_cross_sst_accurate(const ksl_screw_t *s1, const ksl_screw
    Error <= u |result| + (lin: 28, ang: 11) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsra_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
       a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
       a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
       a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
-      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d,
-      a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right, a_0_left_rest = a_0c - a_0_left,
+      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
+      a_0 = a_0c + a_0d, a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right,
+      a_0_left_rest = a_0c - a_0_left,
       a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
       a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
       a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
       a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
       a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
-      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d,
-      a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right, a_1_left_rest = a_1c - a_1_left,
+      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
+      a_1 = a_1c + a_1d, a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right,
+      a_1_left_rest = a_1c - a_1_left,
       a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
       a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
       a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
       a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
       a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
-      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d,
-      a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right, a_2_left_rest = a_2c - a_2_left,
+      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
+      a_2 = a_2c + a_2d, a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right,
+      a_2_left_rest = a_2c - a_2_left,
       a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
       a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
-  const double so_0a = D->m13 * a_2, so_0a_cross2 = D->m13 * a_2_lo, so_0b = D->m23 * a_1,
-      so_0b_cross2 = D->m23 * a_1_lo, so_0 = so_0a - so_0b, so_0_right = so_0a - so_0,
-      so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0a_cross2 = KSL_MUL(D->m13, a_2_lo),
+      so_0b = KSL_MUL(D->m23, a_1), so_0b_cross2 = KSL_MUL(D->m23, a_1_lo), so_0 = so_0a - so_0b,
+      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m13, a_2, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m23, a_1, so_0b, so_0_right),
       so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = D->m23 * a_0, so_1a_cross2 = D->m23 * a_0_lo, so_1b = D->m03 * a_2,
-      so_1b_cross2 = D->m03 * a_2_lo, so_1 = so_1a - so_1b, so_1_right = so_1a - so_1,
-      so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1a_cross2 = KSL_MUL(D->m23, a_0_lo),
+      so_1b = KSL_MUL(D->m03, a_2), so_1b_cross2 = KSL_MUL(D->m03, a_2_lo), so_1 = so_1a - so_1b,
+      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m23, a_0, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m03, a_2, so_1b, so_1_right),
       so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = D->m03 * a_1, so_2a_cross2 = D->m03 * a_1_lo, so_2b = D->m13 * a_0,
-      so_2b_cross2 = D->m13 * a_0_lo, so_2 = so_2a - so_2b, so_2_right = so_2a - so_2,
-      so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2a_cross2 = KSL_MUL(D->m03, a_1_lo),
+      so_2b = KSL_MUL(D->m13, a_0), so_2b_cross2 = KSL_MUL(D->m13, a_0_lo), so_2 = so_2a - so_2b,
+      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m03, a_1, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m13, a_0, so_2b, so_2_right),
       so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
@@ -1921,28 +1953,31 @@ static inline void ksl_hsra_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 11, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(D->m02, axis->z),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
+      so_0_left_rest = so_0c - so_0_left,
       so_0_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0_right),
       so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(D->m12, axis->z),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
+      so_1_left_rest = so_1c - so_1_left,
       so_1_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1_right),
       so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(D->m22, axis->z),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
+      so_2_left_rest = so_2c - so_2_left,
       so_2_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2_right),
       so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
   const double so_0_rounded = so_0 + so_0_lo;
@@ -1963,47 +1998,50 @@ static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
      formula; barring over- and underflow. */
 static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
       a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
       a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
       a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
-      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d,
-      a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right, a_0_left_rest = a_0c - a_0_left,
+      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
+      a_0 = a_0c + a_0d, a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right,
+      a_0_left_rest = a_0c - a_0_left,
       a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
       a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
       a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
       a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
       a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
-      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d,
-      a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right, a_1_left_rest = a_1c - a_1_left,
+      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
+      a_1 = a_1c + a_1d, a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right,
+      a_1_left_rest = a_1c - a_1_left,
       a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
       a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
       a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
       a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
       a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
-      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d,
-      a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right, a_2_left_rest = a_2c - a_2_left,
+      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
+      a_2 = a_2c + a_2d, a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right,
+      a_2_left_rest = a_2c - a_2_left,
       a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
       a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
-  const double so_0a = D->m23 * a_1, so_0a_cross2 = D->m23 * a_1_lo, so_0b = D->m13 * a_2,
-      so_0b_cross2 = D->m13 * a_2_lo, so_0 = so_0a - so_0b, so_0_right = so_0a - so_0,
-      so_0_left = so_0 + so_0_right,
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0a_cross2 = KSL_MUL(D->m23, a_1_lo),
+      so_0b = KSL_MUL(D->m13, a_2), so_0b_cross2 = KSL_MUL(D->m13, a_2_lo), so_0 = so_0a - so_0b,
+      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
       so_0_left_rest = ksl_product_rest(D->m23, a_1, so_0a, so_0_left),
       so_0_right_rest = ksl_product_rest(D->m13, a_2, so_0b, so_0_right),
       so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = D->m03 * a_2, so_1a_cross2 = D->m03 * a_2_lo, so_1b = D->m23 * a_0,
-      so_1b_cross2 = D->m23 * a_0_lo, so_1 = so_1a - so_1b, so_1_right = so_1a - so_1,
-      so_1_left = so_1 + so_1_right,
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1a_cross2 = KSL_MUL(D->m03, a_2_lo),
+      so_1b = KSL_MUL(D->m23, a_0), so_1b_cross2 = KSL_MUL(D->m23, a_0_lo), so_1 = so_1a - so_1b,
+      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
       so_1_left_rest = ksl_product_rest(D->m03, a_2, so_1a, so_1_left),
       so_1_right_rest = ksl_product_rest(D->m23, a_0, so_1b, so_1_right),
       so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = D->m13 * a_0, so_2a_cross2 = D->m13 * a_0_lo, so_2b = D->m03 * a_1,
-      so_2b_cross2 = D->m03 * a_1_lo, so_2 = so_2a - so_2b, so_2_right = so_2a - so_2,
-      so_2_left = so_2 + so_2_right,
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2a_cross2 = KSL_MUL(D->m13, a_0_lo),
+      so_2b = KSL_MUL(D->m03, a_1), so_2b_cross2 = KSL_MUL(D->m03, a_1_lo), so_2 = so_2a - so_2b,
+      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
       so_2_left_rest = ksl_product_rest(D->m13, a_0, so_2a, so_2_left),
       so_2_right_rest = ksl_product_rest(D->m03, a_1, so_2b, so_2_right),
       so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
@@ -2032,31 +2070,31 @@ static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
       so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
       so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = D->m02 * axis->z,
+      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(D->m02, axis->z),
       so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
       so_0e_left_rest = so_0c - so_0e_left,
       so_0e_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right),
       so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
       so_0 = -so_0e, so_0_lo = -so_0e_lo;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
       so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
       so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = D->m12 * axis->z,
+      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(D->m12, axis->z),
       so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
       so_1e_left_rest = so_1c - so_1e_left,
       so_1e_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right),
       so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
       so_1 = -so_1e, so_1_lo = -so_1e_lo;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
       so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
       so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = D->m22 * axis->z,
+      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(D->m22, axis->z),
       so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
       so_2e_left_rest = so_2c - so_2e_left,
       so_2e_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right),
@@ -2235,15 +2273,15 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return (float)norm;
 }
 
@@ -2266,32 +2304,32 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->m0 * up;
-  const double enlarged_1 = (double)self->m1 * up;
-  const double enlarged_2 = (double)self->m2 * up;
-  const double enlarged_3 = (double)self->m3 * up;
-  const double enlarged_4 = (double)self->m4 * up;
-  const double enlarged_5 = (double)self->m5 * up;
+  const double enlarged_0 = KSL_MUL((double)self->m0, up);
+  const double enlarged_1 = KSL_MUL((double)self->m1, up);
+  const double enlarged_2 = KSL_MUL((double)self->m2, up);
+  const double enlarged_3 = KSL_MUL((double)self->m3, up);
+  const double enlarged_4 = KSL_MUL((double)self->m4, up);
+  const double enlarged_5 = KSL_MUL((double)self->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
-  const double self_4_new = quotient_4 * down;
-  const double self_5_new = quotient_5 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double self_4_new = KSL_MUL(quotient_4, down);
+  const double self_5_new = KSL_MUL(quotient_5, down);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2319,32 +2357,32 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = p_0 * s;
-  const double y_1 = p_1 * s;
-  const double y_2 = p_2 * s;
+  const double y_0 = KSL_MUL(p_0, s);
+  const double y_1 = KSL_MUL(p_1, s);
+  const double y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)si->m0 * up;
-  const double enlarged_1 = (double)si->m1 * up;
-  const double enlarged_2 = (double)si->m2 * up;
-  const double enlarged_3 = (double)si->m3 * up;
-  const double enlarged_4 = (double)si->m4 * up;
-  const double enlarged_5 = (double)si->m5 * up;
+  const double enlarged_0 = KSL_MUL((double)si->m0, up);
+  const double enlarged_1 = KSL_MUL((double)si->m1, up);
+  const double enlarged_2 = KSL_MUL((double)si->m2, up);
+  const double enlarged_3 = KSL_MUL((double)si->m3, up);
+  const double enlarged_4 = KSL_MUL((double)si->m4, up);
+  const double enlarged_5 = KSL_MUL((double)si->m5, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
   const double quotient_4 = enlarged_4 / divisor;
   const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = quotient_0 * down;
-  const double so_1 = quotient_1 * down;
-  const double so_2 = quotient_2 * down;
-  const double so_3 = quotient_3 * down;
-  const double so_4 = quotient_4 * down;
-  const double so_5 = quotient_5 * down;
+  const double so_0 = KSL_MUL(quotient_0, down);
+  const double so_1 = KSL_MUL(quotient_1, down);
+  const double so_2 = KSL_MUL(quotient_2, down);
+  const double so_3 = KSL_MUL(quotient_3, down);
+  const double so_4 = KSL_MUL(quotient_4, down);
+  const double so_5 = KSL_MUL(quotient_5, down);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2552,12 +2590,12 @@ static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_scre
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4 = w_4c + w_4d;
   const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5 = w_5c + w_5d;
-  const double so_0a = (double)D->m13 * w_5, so_0b = (double)D->m23 * w_4, so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = (double)D->m23 * w_3, so_1b = (double)D->m03 * w_5, so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = (double)D->m03 * w_4, so_2b = (double)D->m13 * w_3, so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
+      so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
+      so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL((double)D->m03, w_4), so_2b = KSL_MUL((double)D->m13, w_3),
+      so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2579,12 +2617,12 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
       w_1c = w_1a - w_1b, w_1 = w_1c + (double)si->m1;
   const double w_2a = (double)D->m13 * (double)si->m3, w_2b = (double)D->m03 * (double)si->m4,
       w_2c = w_2a - w_2b, w_2 = w_2c + (double)si->m2;
-  const double so_0a = (double)D->m00 * w_0, so_0b = (double)D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = (double)D->m20 * w_2, so_0 = so_0c + so_0d;
-  const double so_1a = (double)D->m01 * w_0, so_1b = (double)D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = (double)D->m21 * w_2, so_1 = so_1c + so_1d;
-  const double so_2a = (double)D->m02 * w_0, so_2b = (double)D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = (double)D->m22 * w_2, so_2 = so_2c + so_2d;
+  const double so_0a = KSL_MUL((double)D->m00, w_0), so_0b = KSL_MUL((double)D->m10, w_1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL((double)D->m20, w_2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL((double)D->m01, w_0), so_1b = KSL_MUL((double)D->m11, w_1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL((double)D->m21, w_2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL((double)D->m02, w_0), so_2b = KSL_MUL((double)D->m12, w_1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL((double)D->m22, w_2), so_2 = so_2c + so_2d;
   const double so_3a = (double)D->m00 * (double)si->m3, so_3b = (double)D->m10 * (double)si->m4,
       so_3c = so_3a + so_3b, so_3d = (double)D->m20 * (double)si->m5, so_3 = so_3c + so_3d;
   const double so_4a = (double)D->m01 * (double)si->m3, so_4b = (double)D->m11 * (double)si->m4,
@@ -2618,12 +2656,12 @@ static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_s
       w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
   const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
       w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = (double)D->m13 * w_5, so_0b = (double)D->m23 * w_4, so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = (double)D->m23 * w_3, so_1b = (double)D->m03 * w_5, so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = (double)D->m03 * w_4, so_2b = (double)D->m13 * w_3, so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
+      so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
+      so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL((double)D->m03, w_4), so_2b = KSL_MUL((double)D->m13, w_3),
+      so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2921,9 +2959,12 @@ static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
       a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
   const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
       a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = (double)D->m13 * a_2, so_0b = (double)D->m23 * a_1, so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m23 * a_0, so_1b = (double)D->m03 * a_2, so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m03 * a_1, so_2b = (double)D->m13 * a_0, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL((double)D->m03, a_1), so_2b = KSL_MUL((double)D->m13, a_0),
+      so_2 = so_2a - so_2b;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2966,9 +3007,12 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
       a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
   const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
       a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = (double)D->m23 * a_1, so_0b = (double)D->m13 * a_2, so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m03 * a_2, so_1b = (double)D->m23 * a_0, so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m13 * a_0, so_2b = (double)D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL((double)D->m23, a_1), so_0b = KSL_MUL((double)D->m13, a_2),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL((double)D->m03, a_2), so_1b = KSL_MUL((double)D->m23, a_0),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL((double)D->m13, a_0), so_2b = KSL_MUL((double)D->m03, a_1),
+      so_2 = so_2a - so_2b;
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;

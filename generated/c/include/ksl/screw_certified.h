@@ -13,30 +13,30 @@
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
     ksl_screw_t *self_bound) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   const double self_0_new_abs = fabs(self_0_new),
       self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded;
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
   const double self_1_new_abs = fabs(self_1_new),
       self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded;
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
   const double self_2_new_abs = fabs(self_2_new),
       self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded;
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
   const double self_3_new_abs = fabs(self_3_new),
       self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded;
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
   const double self_4_new_abs = fabs(self_4_new),
       self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded;
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
   const double self_5_new_abs = fabs(self_5_new),
       self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded;
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -56,12 +56,12 @@ static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->m1),
@@ -75,17 +75,17 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
   const double y_5_new_a_abs = fabs(y_5_new_a), y_5_abs = fabs(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = 2.2204460492503136e-16 * y_0_new_padded;
+      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
   const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = 2.2204460492503136e-16 * y_1_new_padded;
+      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
   const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = 2.2204460492503136e-16 * y_2_new_padded;
+      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
   const double y_3_new_padded = y_3_new_size + 2.004168360008973e-292,
-      y_3_new_error_bound = 2.2204460492503136e-16 * y_3_new_padded;
+      y_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_padded);
   const double y_4_new_padded = y_4_new_size + 2.004168360008973e-292,
-      y_4_new_error_bound = 2.2204460492503136e-16 * y_4_new_padded;
+      y_4_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_padded);
   const double y_5_new_padded = y_5_new_size + 2.004168360008973e-292,
-      y_5_new_error_bound = 2.2204460492503136e-16 * y_5_new_padded;
+      y_5_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -112,17 +112,17 @@ static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
   const double y_4_new = x->m4 + y->m4;
   const double y_5_new = x->m5 + y->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -149,17 +149,17 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
   const double y_4_new = y->m4 - x->m4;
   const double y_5_new = y->m5 - x->m5;
   const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = 1.1102230246251568e-16 * y_0_new_abs;
+      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
   const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = 1.1102230246251568e-16 * y_1_new_abs;
+      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
   const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = 1.1102230246251568e-16 * y_2_new_abs;
+      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
   const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = 1.1102230246251568e-16 * y_3_new_abs;
+      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
   const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = 1.1102230246251568e-16 * y_4_new_abs;
+      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
   const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = 1.1102230246251568e-16 * y_5_new_abs;
+      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -179,24 +179,24 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_as_certified(const double a, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   const double so_0_abs = fabs(so_0), so_0_padded = so_0_abs + 2.004168360008973e-292,
-      so_0_error_bound = 1.1102230246251568e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_padded);
   const double so_1_abs = fabs(so_1), so_1_padded = so_1_abs + 2.004168360008973e-292,
-      so_1_error_bound = 1.1102230246251568e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_padded);
   const double so_2_abs = fabs(so_2), so_2_padded = so_2_abs + 2.004168360008973e-292,
-      so_2_error_bound = 1.1102230246251568e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_padded);
   const double so_3_abs = fabs(so_3), so_3_padded = so_3_abs + 2.004168360008973e-292,
-      so_3_error_bound = 1.1102230246251568e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_padded);
   const double so_4_abs = fabs(so_4), so_4_padded = so_4_abs + 2.004168360008973e-292,
-      so_4_error_bound = 1.1102230246251568e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_padded);
   const double so_5_abs = fabs(so_5), so_5_padded = so_5_abs + 2.004168360008973e-292,
-      so_5_error_bound = 1.1102230246251568e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -222,12 +222,12 @@ static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t
   const double so_3 = s1->m3 + s2->m3;
   const double so_4 = s1->m4 + s2->m4;
   const double so_5 = s1->m5 + s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
-  const double so_3_abs = fabs(so_3), so_3_error_bound = 1.1102230246251568e-16 * so_3_abs;
-  const double so_4_abs = fabs(so_4), so_4_error_bound = 1.1102230246251568e-16 * so_4_abs;
-  const double so_5_abs = fabs(so_5), so_5_error_bound = 1.1102230246251568e-16 * so_5_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
+  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
+  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
+  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -253,12 +253,12 @@ static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_sc
   const double so_3 = s1->m3 - s2->m3;
   const double so_4 = s1->m4 - s2->m4;
   const double so_5 = s1->m5 - s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
-  const double so_3_abs = fabs(so_3), so_3_error_bound = 1.1102230246251568e-16 * so_3_abs;
-  const double so_4_abs = fabs(so_4), so_4_error_bound = 1.1102230246251568e-16 * so_4_abs;
-  const double so_5_abs = fabs(so_5), so_5_error_bound = 1.1102230246251568e-16 * so_5_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
+  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
+  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
+  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -281,9 +281,9 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
   const double so_0 = s1->m0 + s2->m0;
   const double so_1 = s1->m1 + s2->m1;
   const double so_2 = s1->m2 + s2->m2;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = 1.1102230246251568e-16 * so_0_abs;
-  const double so_1_abs = fabs(so_1), so_1_error_bound = 1.1102230246251568e-16 * so_1_abs;
-  const double so_2_abs = fabs(so_2), so_2_error_bound = 1.1102230246251568e-16 * so_2_abs;
+  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
+  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
+  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -306,11 +306,11 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
@@ -319,11 +319,11 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -346,11 +346,11 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
@@ -359,11 +359,11 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -386,11 +386,11 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
@@ -402,11 +402,11 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -426,18 +426,18 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -451,17 +451,17 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -481,18 +481,18 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -506,17 +506,17 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -536,18 +536,18 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -561,17 +561,17 @@ static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ks
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5e_size = so_5c_size + so_5d_abs;
   const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
   const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
   const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
   const double so_3e_padded = so_3e_size + 2.004168360008973e-292,
-      so_3e_error_bound = 3.3306690738754706e-16 * so_3e_padded;
+      so_3e_error_bound = KSL_MUL(3.3306690738754706e-16, so_3e_padded);
   const double so_4e_padded = so_4e_size + 2.004168360008973e-292,
-      so_4e_error_bound = 3.3306690738754706e-16 * so_4e_padded;
+      so_4e_error_bound = KSL_MUL(3.3306690738754706e-16, so_4e_padded);
   const double so_5e_padded = so_5e_size + 2.004168360008973e-292,
-      so_5e_error_bound = 3.3306690738754706e-16 * so_5e_padded;
+      so_5e_error_bound = KSL_MUL(3.3306690738754706e-16, so_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -591,23 +591,23 @@ static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ks
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
@@ -622,25 +622,26 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * w_5_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5_padded);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * w_4_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
   const double w_3_padded = w_3_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * w_3_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * w_5_padded, so_1c_size = so_1a_size + so_1b_size,
+  const double so_1a_size = KSL_MUL(D_23_abs, w_3_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1_size;
-  const double so_2a_size = D_03_abs * w_4_padded, so_2b_size = D_13_abs * w_3_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, w_4_padded),
+      so_2b_size = KSL_MUL(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
-  const double w_3_error_bound = 3.3306690738754706e-16 * w_3_padded;
-  const double w_4_error_bound = 3.3306690738754706e-16 * w_4_padded;
-  const double w_5_error_bound = 3.3306690738754706e-16 * w_5_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
+  const double w_3_error_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded);
+  const double w_4_error_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded);
+  const double w_5_error_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -660,24 +661,24 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const double so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const double so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const double so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       si_0_abs = fabs(si->m0), w_0_size = w_0c_size + si_0_abs;
   const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -685,21 +686,21 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
   const double w_2a_abs = fabs(w_2a), w_2b_abs = fabs(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
       si_2_abs = fabs(si->m2), w_2_size = w_2c_size + si_2_abs;
   const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), so_0a_size = D_00_abs * w_0_padded;
+  const double D_00_abs = fabs(D->m00), so_0a_size = KSL_MUL(D_00_abs, w_0_padded);
   const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), so_0b_size = D_10_abs * w_1_padded,
+  const double D_10_abs = fabs(D->m10), so_0b_size = KSL_MUL(D_10_abs, w_1_padded),
       so_0c_size = so_0a_size + so_0b_size;
   const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), so_0d_size = D_20_abs * w_2_padded,
+  const double D_20_abs = fabs(D->m20), so_0d_size = KSL_MUL(D_20_abs, w_2_padded),
       so_0_size = so_0c_size + so_0d_size;
-  const double D_01_abs = fabs(D->m01), so_1a_size = D_01_abs * w_0_padded, D_11_abs = fabs(D->m11),
-      so_1b_size = D_11_abs * w_1_padded, so_1c_size = so_1a_size + so_1b_size,
-      D_21_abs = fabs(D->m21), so_1d_size = D_21_abs * w_2_padded,
-      so_1_size = so_1c_size + so_1d_size;
-  const double D_02_abs = fabs(D->m02), so_2a_size = D_02_abs * w_0_padded, D_12_abs = fabs(D->m12),
-      so_2b_size = D_12_abs * w_1_padded, so_2c_size = so_2a_size + so_2b_size,
-      D_22_abs = fabs(D->m22), so_2d_size = D_22_abs * w_2_padded,
-      so_2_size = so_2c_size + so_2d_size;
+  const double D_01_abs = fabs(D->m01), so_1a_size = KSL_MUL(D_01_abs, w_0_padded),
+      D_11_abs = fabs(D->m11), so_1b_size = KSL_MUL(D_11_abs, w_1_padded),
+      so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabs(D->m21),
+      so_1d_size = KSL_MUL(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
+  const double D_02_abs = fabs(D->m02), so_2a_size = KSL_MUL(D_02_abs, w_0_padded),
+      D_12_abs = fabs(D->m12), so_2b_size = KSL_MUL(D_12_abs, w_1_padded),
+      so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabs(D->m22),
+      so_2d_size = KSL_MUL(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
   const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
       so_3d_abs = fabs(so_3d), so_3_size = so_3c_size + so_3d_abs;
   const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
@@ -707,17 +708,17 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
       so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 3.3306690738754706e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 3.3306690738754706e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 3.3306690738754706e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -737,23 +738,23 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b,
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
       so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
       so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
       so_2 = so_2c + w_2;
   const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabs(w_0d), w_0e_size = w_0c_size + w_0d_abs;
@@ -768,25 +769,26 @@ static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_sc
   const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabs(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const double w_5e_padded = w_5e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * w_5e_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5e_padded);
   const double w_4e_padded = w_4e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * w_4e_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4e_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
   const double w_3e_padded = w_3e_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * w_3e_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * w_5e_padded, so_1c_size = so_1a_size + so_1b_size,
+  const double so_1a_size = KSL_MUL(D_23_abs, w_3e_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1e_size;
-  const double so_2a_size = D_03_abs * w_4e_padded, so_2b_size = D_13_abs * w_3e_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2e_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, w_4e_padded),
+      so_2b_size = KSL_MUL(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2e_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 6.661338147750942e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 6.661338147750942e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 6.661338147750942e-16 * so_2_padded;
-  const double w_3e_error_bound = 3.3306690738754706e-16 * w_3e_padded;
-  const double w_4e_error_bound = 3.3306690738754706e-16 * w_4e_padded;
-  const double w_5e_error_bound = 3.3306690738754706e-16 * w_5e_padded;
+      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
+  const double w_3e_error_bound = KSL_MUL(3.3306690738754706e-16, w_3e_padded);
+  const double w_4e_error_bound = KSL_MUL(3.3306690738754706e-16, w_4e_padded);
+  const double w_5e_error_bound = KSL_MUL(3.3306690738754706e-16, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -805,18 +807,21 @@ static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_sc
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -838,18 +843,21 @@ static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -871,18 +879,21 @@ static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const double so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const double so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -905,9 +916,12 @@ static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -915,11 +929,11 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -939,9 +953,12 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -949,11 +966,11 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -973,9 +990,12 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const double so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const double so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -983,11 +1003,11 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1006,15 +1026,24 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
    D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
    27 mul, 27 add, 18 abs. */
 static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat6x6_t *M_bound) {
-  const double M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const double M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const double M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const double M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const double M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const double M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const double M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const double M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const double M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const double M_03a_abs = fabs(M_03a), M_03b_abs = fabs(M_03b), M_03_size = M_03a_abs + M_03b_abs;
   const double M_04a_abs = fabs(M_04a), M_04b_abs = fabs(M_04b), M_04_size = M_04a_abs + M_04b_abs;
   const double M_05a_abs = fabs(M_05a), M_05b_abs = fabs(M_05b), M_05_size = M_05a_abs + M_05b_abs;
@@ -1025,23 +1054,23 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
   const double M_24a_abs = fabs(M_24a), M_24b_abs = fabs(M_24b), M_24_size = M_24a_abs + M_24b_abs;
   const double M_25a_abs = fabs(M_25a), M_25b_abs = fabs(M_25b), M_25_size = M_25a_abs + M_25b_abs;
   const double M_03_padded = M_03_size + 2.004168360008973e-292,
-      M_03_error_bound = 2.2204460492503136e-16 * M_03_padded;
+      M_03_error_bound = KSL_MUL(2.2204460492503136e-16, M_03_padded);
   const double M_04_padded = M_04_size + 2.004168360008973e-292,
-      M_04_error_bound = 2.2204460492503136e-16 * M_04_padded;
+      M_04_error_bound = KSL_MUL(2.2204460492503136e-16, M_04_padded);
   const double M_05_padded = M_05_size + 2.004168360008973e-292,
-      M_05_error_bound = 2.2204460492503136e-16 * M_05_padded;
+      M_05_error_bound = KSL_MUL(2.2204460492503136e-16, M_05_padded);
   const double M_13_padded = M_13_size + 2.004168360008973e-292,
-      M_13_error_bound = 2.2204460492503136e-16 * M_13_padded;
+      M_13_error_bound = KSL_MUL(2.2204460492503136e-16, M_13_padded);
   const double M_14_padded = M_14_size + 2.004168360008973e-292,
-      M_14_error_bound = 2.2204460492503136e-16 * M_14_padded;
+      M_14_error_bound = KSL_MUL(2.2204460492503136e-16, M_14_padded);
   const double M_15_padded = M_15_size + 2.004168360008973e-292,
-      M_15_error_bound = 2.2204460492503136e-16 * M_15_padded;
+      M_15_error_bound = KSL_MUL(2.2204460492503136e-16, M_15_padded);
   const double M_23_padded = M_23_size + 2.004168360008973e-292,
-      M_23_error_bound = 2.2204460492503136e-16 * M_23_padded;
+      M_23_error_bound = KSL_MUL(2.2204460492503136e-16, M_23_padded);
   const double M_24_padded = M_24_size + 2.004168360008973e-292,
-      M_24_error_bound = 2.2204460492503136e-16 * M_24_padded;
+      M_24_error_bound = KSL_MUL(2.2204460492503136e-16, M_24_padded);
   const double M_25_padded = M_25_size + 2.004168360008973e-292,
-      M_25_error_bound = 2.2204460492503136e-16 * M_25_padded;
+      M_25_error_bound = KSL_MUL(2.2204460492503136e-16, M_25_padded);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1130,10 +1159,10 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
    7 mul, 11 add, 6 abs. */
 static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_screw_t *s,
     double *power_bound) {
-  const double power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
+      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
   const double power_a_abs = fabs(power_a), power_b_abs = fabs(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabs(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabs(power_f),
@@ -1141,7 +1170,7 @@ static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_scre
       power_i_abs = fabs(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const double power_padded = power_size + 2.004168360008973e-292,
-      power_error_bound = 4.440892098500628e-16 * power_padded;
+      power_error_bound = KSL_MUL(4.440892098500628e-16, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -1152,15 +1181,21 @@ static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_scre
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const double so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const double so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_abs = fabs(so_0e), so_0f_size = so_0d_abs + so_0e_abs,
       so_0_size = so_0c_size + so_0f_size;
@@ -1174,17 +1209,17 @@ static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw
   const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4_size = so_4a_abs + so_4b_abs;
   const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5_size = so_5a_abs + so_5b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = 2.2204460492503136e-16 * so_3_padded;
+      so_3_error_bound = KSL_MUL(2.2204460492503136e-16, so_3_padded);
   const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = 2.2204460492503136e-16 * so_4_padded;
+      so_4_error_bound = KSL_MUL(2.2204460492503136e-16, so_4_padded);
   const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = 2.2204460492503136e-16 * so_5_padded;
+      so_5_error_bound = KSL_MUL(2.2204460492503136e-16, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1204,18 +1239,21 @@ static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const double so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const double so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 2.2204460492503136e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 2.2204460492503136e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 2.2204460492503136e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1236,15 +1274,15 @@ static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_scre
    27 mul, 24 add, 12 abs. */
 static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const double so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const double so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
       a_0d_abs = fabs(a_0d), a_0_size = a_0c_size + a_0d_abs;
   const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
@@ -1252,24 +1290,24 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = D_13_abs * a_2_padded;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, a_2_padded);
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = D_23_abs * a_1_padded,
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, a_1_padded),
       so_0_size = so_0a_size + so_0b_size;
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1a_size = D_23_abs * a_0_padded, D_03_abs = fabs(D->m03),
-      so_1b_size = D_03_abs * a_2_padded, so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = D_03_abs * a_1_padded, so_2b_size = D_13_abs * a_0_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const double so_1a_size = KSL_MUL(D_23_abs, a_0_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, a_1_padded),
+      so_2b_size = KSL_MUL(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
-  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
-  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
-  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
+  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
+  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
+  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1290,12 +1328,12 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    12 mul, 15 add, 9 abs. */
 static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -1303,11 +1341,11 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       so_2d_abs = fabs(so_2d), so_2_size = so_2c_size + so_2d_abs;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 3.3306690738754706e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 3.3306690738754706e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 3.3306690738754706e-16 * so_2_padded;
+      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1329,15 +1367,15 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const double so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const double so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const double so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -1348,24 +1386,24 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const double D_23_abs = fabs(D->m23), so_0a_size = KSL_MUL(D_23_abs, a_1_padded);
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const double D_13_abs = fabs(D->m13), so_0b_size = KSL_MUL(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const double D_03_abs = fabs(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const double D_03_abs = fabs(D->m03), so_1a_size = KSL_MUL(D_03_abs, a_2_padded);
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const double so_1b_size = KSL_MUL(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MUL(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = 5.551115123125785e-16 * so_0_padded;
+      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = 5.551115123125785e-16 * so_1_padded;
+      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = 5.551115123125785e-16 * so_2_padded;
-  const double a_0_error_bound = 3.3306690738754706e-16 * a_0_padded;
-  const double a_1_error_bound = 3.3306690738754706e-16 * a_1_padded;
-  const double a_2_error_bound = 3.3306690738754706e-16 * a_2_padded;
+      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
+  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
+  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
+  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1386,12 +1424,12 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
   const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
       so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
   const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
@@ -1399,11 +1437,11 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
   const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
       so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
   const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded;
+      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
   const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded;
+      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
   const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded;
+      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1423,30 +1461,30 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
     ksl_screwf_t *self_bound) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   const float self_0_new_abs = fabsf(self_0_new),
       self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = 5.960465e-08f * self_0_new_padded;
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
   const float self_1_new_abs = fabsf(self_1_new),
       self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = 5.960465e-08f * self_1_new_padded;
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
   const float self_2_new_abs = fabsf(self_2_new),
       self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = 5.960465e-08f * self_2_new_padded;
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
   const float self_3_new_abs = fabsf(self_3_new),
       self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = 5.960465e-08f * self_3_new_padded;
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
   const float self_4_new_abs = fabsf(self_4_new),
       self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = 5.960465e-08f * self_4_new_padded;
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
   const float self_5_new_abs = fabsf(self_5_new),
       self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = 5.960465e-08f * self_5_new_padded;
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1466,12 +1504,12 @@ static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
    12 mul, 18 add, 12 abs. */
 static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new_a = a * x->m0, y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = a * x->m1, y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = a * x->m2, y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = a * x->m3, y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = a * x->m4, y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = a * x->m5, y_5_new = y_5_new_a + y->m5;
+  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
+  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
+  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
+  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
+  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
+  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
   const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->m0),
       y_0_new_size = y_0_new_a_abs + y_0_abs;
   const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->m1),
@@ -1485,17 +1523,17 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
   const float y_5_new_a_abs = fabsf(y_5_new_a), y_5_abs = fabsf(y->m5),
       y_5_new_size = y_5_new_a_abs + y_5_abs;
   const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = 1.192093e-07f * y_0_new_padded;
+      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
   const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = 1.192093e-07f * y_1_new_padded;
+      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
   const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = 1.192093e-07f * y_2_new_padded;
+      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
   const float y_3_new_padded = y_3_new_size + 1.9721523e-31f,
-      y_3_new_error_bound = 1.192093e-07f * y_3_new_padded;
+      y_3_new_error_bound = KSL_MULF(1.192093e-07f, y_3_new_padded);
   const float y_4_new_padded = y_4_new_size + 1.9721523e-31f,
-      y_4_new_error_bound = 1.192093e-07f * y_4_new_padded;
+      y_4_new_error_bound = KSL_MULF(1.192093e-07f, y_4_new_padded);
   const float y_5_new_padded = y_5_new_size + 1.9721523e-31f,
-      y_5_new_error_bound = 1.192093e-07f * y_5_new_padded;
+      y_5_new_error_bound = KSL_MULF(1.192093e-07f, y_5_new_padded);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1521,12 +1559,18 @@ static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
   const float y_3_new = x->m3 + y->m3;
   const float y_4_new = x->m4 + y->m4;
   const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1552,12 +1596,18 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
   const float y_3_new = y->m3 - x->m3;
   const float y_4_new = y->m4 - x->m4;
   const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_abs = fabsf(y_0_new), y_0_new_error_bound = 5.960465e-08f * y_0_new_abs;
-  const float y_1_new_abs = fabsf(y_1_new), y_1_new_error_bound = 5.960465e-08f * y_1_new_abs;
-  const float y_2_new_abs = fabsf(y_2_new), y_2_new_error_bound = 5.960465e-08f * y_2_new_abs;
-  const float y_3_new_abs = fabsf(y_3_new), y_3_new_error_bound = 5.960465e-08f * y_3_new_abs;
-  const float y_4_new_abs = fabsf(y_4_new), y_4_new_error_bound = 5.960465e-08f * y_4_new_abs;
-  const float y_5_new_abs = fabsf(y_5_new), y_5_new_error_bound = 5.960465e-08f * y_5_new_abs;
+  const float y_0_new_abs = fabsf(y_0_new),
+      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
+  const float y_1_new_abs = fabsf(y_1_new),
+      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
+  const float y_2_new_abs = fabsf(y_2_new),
+      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
+  const float y_3_new_abs = fabsf(y_3_new),
+      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
+  const float y_4_new_abs = fabsf(y_4_new),
+      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
+  const float y_5_new_abs = fabsf(y_5_new),
+      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1577,24 +1627,24 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   const float so_0_abs = fabsf(so_0), so_0_padded = so_0_abs + 1.9721523e-31f,
-      so_0_error_bound = 5.960465e-08f * so_0_padded;
+      so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_padded);
   const float so_1_abs = fabsf(so_1), so_1_padded = so_1_abs + 1.9721523e-31f,
-      so_1_error_bound = 5.960465e-08f * so_1_padded;
+      so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_padded);
   const float so_2_abs = fabsf(so_2), so_2_padded = so_2_abs + 1.9721523e-31f,
-      so_2_error_bound = 5.960465e-08f * so_2_padded;
+      so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_padded);
   const float so_3_abs = fabsf(so_3), so_3_padded = so_3_abs + 1.9721523e-31f,
-      so_3_error_bound = 5.960465e-08f * so_3_padded;
+      so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_padded);
   const float so_4_abs = fabsf(so_4), so_4_padded = so_4_abs + 1.9721523e-31f,
-      so_4_error_bound = 5.960465e-08f * so_4_padded;
+      so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_padded);
   const float so_5_abs = fabsf(so_5), so_5_padded = so_5_abs + 1.9721523e-31f,
-      so_5_error_bound = 5.960465e-08f * so_5_padded;
+      so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1620,12 +1670,12 @@ static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screw
   const float so_3 = s1->m3 + s2->m3;
   const float so_4 = s1->m4 + s2->m4;
   const float so_5 = s1->m5 + s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = 5.960465e-08f * so_3_abs;
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = 5.960465e-08f * so_4_abs;
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = 5.960465e-08f * so_5_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
+  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
+  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
+  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1651,12 +1701,12 @@ static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_
   const float so_3 = s1->m3 - s2->m3;
   const float so_4 = s1->m4 - s2->m4;
   const float so_5 = s1->m5 - s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = 5.960465e-08f * so_3_abs;
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = 5.960465e-08f * so_4_abs;
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = 5.960465e-08f * so_5_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
+  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
+  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
+  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1679,9 +1729,9 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
   const float so_0 = s1->m0 + s2->m0;
   const float so_1 = s1->m1 + s2->m1;
   const float so_2 = s1->m2 + s2->m2;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = 5.960465e-08f * so_0_abs;
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = 5.960465e-08f * so_1_abs;
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = 5.960465e-08f * so_2_abs;
+  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
+  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
+  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -1704,11 +1754,11 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->y * si->m5, so_0b = t->z * si->m4, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1b = t->x * si->m5, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2b = t->y * si->m3, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
@@ -1720,11 +1770,11 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1747,11 +1797,11 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c + si->m2;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
@@ -1763,11 +1813,11 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1790,11 +1840,11 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = t->z * si->m4, so_0b = t->y * si->m5, so_0c = so_0a - so_0b,
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
       so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1b = t->z * si->m3, so_1c = so_1a - so_1b,
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
       so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2b = t->x * si->m4, so_2c = so_2a - so_2b,
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
       so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
@@ -1809,11 +1859,11 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
       so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
       so_2_size = so_2c_size + si_2_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1833,18 +1883,18 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -1864,17 +1914,17 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1894,18 +1944,18 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
    24 mul, 30 add, 18 abs. */
 static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m10 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m20 * si->m2, so_0 = so_0c + so_0d;
-  const float so_1a = R->m01 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m21 * si->m2, so_1 = so_1c + so_1d;
-  const float so_2a = R->m02 * si->m0, so_2b = R->m12 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2 = so_2c + so_2d;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = R->m01 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = R->m02 * si->m3, so_5b = R->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -1925,17 +1975,17 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1955,18 +2005,18 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
    24 mul, 30 add, 6 neg, 18 abs. */
 static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = R->m00 * si->m0, so_0b = R->m01 * si->m1, so_0c = so_0a + so_0b,
-      so_0d = R->m02 * si->m2, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1b = R->m11 * si->m1, so_1c = so_1a + so_1b,
-      so_1d = R->m12 * si->m2, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2b = R->m21 * si->m1, so_2c = so_2a + so_2b,
-      so_2d = R->m22 * si->m2, so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3b = R->m01 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = R->m02 * si->m5, so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4b = R->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = R->m12 * si->m5, so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5b = R->m21 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = R->m22 * si->m5, so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0e_size = so_0c_size + so_0d_abs;
@@ -1986,17 +2036,17 @@ static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const 
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5e_size = so_5c_size + so_5d_abs;
   const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
   const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
   const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
   const float so_3e_padded = so_3e_size + 1.9721523e-31f,
-      so_3e_error_bound = 1.7881396e-07f * so_3e_padded;
+      so_3e_error_bound = KSL_MULF(1.7881396e-07f, so_3e_padded);
   const float so_4e_padded = so_4e_size + 1.9721523e-31f,
-      so_4e_error_bound = 1.7881396e-07f * so_4e_padded;
+      so_4e_error_bound = KSL_MULF(1.7881396e-07f, so_4e_padded);
   const float so_5e_padded = so_5e_size + 1.9721523e-31f,
-      so_5e_error_bound = 1.7881396e-07f * so_5e_padded;
+      so_5e_error_bound = KSL_MULF(1.7881396e-07f, so_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2016,21 +2066,24 @@ static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const 
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0 = w_0c + w_0d;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1 = w_1c + w_1d;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2 = w_2c + w_2d;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3 = w_3c + w_3d;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4 = w_4c + w_4d;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5 = w_5c + w_5d;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -2044,25 +2097,26 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
   const float w_5_padded = w_5_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * w_5_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5_padded);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * w_4_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
   const float w_3_padded = w_3_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * w_3_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * w_5_padded, so_1c_size = so_1a_size + so_1b_size,
+  const float so_1a_size = KSL_MULF(D_23_abs, w_3_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1_size;
-  const float so_2a_size = D_03_abs * w_4_padded, so_2b_size = D_13_abs * w_3_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, w_4_padded),
+      so_2b_size = KSL_MULF(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
-  const float w_3_error_bound = 1.7881396e-07f * w_3_padded;
-  const float w_4_error_bound = 1.7881396e-07f * w_4_padded;
-  const float w_5_error_bound = 1.7881396e-07f * w_5_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
+  const float w_3_error_bound = KSL_MULF(1.7881396e-07f, w_3_padded);
+  const float w_4_error_bound = KSL_MULF(1.7881396e-07f, w_4_padded);
+  const float w_5_error_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2082,24 +2136,24 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m23 * si->m4, w_0b = D->m13 * si->m5, w_0c = w_0a - w_0b,
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
       w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1b = D->m23 * si->m3, w_1c = w_1a - w_1b,
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
       w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2b = D->m03 * si->m4, w_2c = w_2a - w_2b,
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
       w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0b = D->m10 * w_1, so_0c = so_0a + so_0b,
-      so_0d = D->m20 * w_2, so_0 = so_0c + so_0d;
-  const float so_1a = D->m01 * w_0, so_1b = D->m11 * w_1, so_1c = so_1a + so_1b,
-      so_1d = D->m21 * w_2, so_1 = so_1c + so_1d;
-  const float so_2a = D->m02 * w_0, so_2b = D->m12 * w_1, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * w_2, so_2 = so_2c + so_2d;
-  const float so_3a = D->m00 * si->m3, so_3b = D->m10 * si->m4, so_3c = so_3a + so_3b,
-      so_3d = D->m20 * si->m5, so_3 = so_3c + so_3d;
-  const float so_4a = D->m01 * si->m3, so_4b = D->m11 * si->m4, so_4c = so_4a + so_4b,
-      so_4d = D->m21 * si->m5, so_4 = so_4c + so_4d;
-  const float so_5a = D->m02 * si->m3, so_5b = D->m12 * si->m4, so_5c = so_5a + so_5b,
-      so_5d = D->m22 * si->m5, so_5 = so_5c + so_5d;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
+      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
+      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
+      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       si_0_abs = fabsf(si->m0), w_0_size = w_0c_size + si_0_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -2107,21 +2161,21 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
       si_2_abs = fabsf(si->m2), w_2_size = w_2c_size + si_2_abs;
   const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), so_0a_size = D_00_abs * w_0_padded;
+  const float D_00_abs = fabsf(D->m00), so_0a_size = KSL_MULF(D_00_abs, w_0_padded);
   const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), so_0b_size = D_10_abs * w_1_padded,
+  const float D_10_abs = fabsf(D->m10), so_0b_size = KSL_MULF(D_10_abs, w_1_padded),
       so_0c_size = so_0a_size + so_0b_size;
   const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), so_0d_size = D_20_abs * w_2_padded,
+  const float D_20_abs = fabsf(D->m20), so_0d_size = KSL_MULF(D_20_abs, w_2_padded),
       so_0_size = so_0c_size + so_0d_size;
-  const float D_01_abs = fabsf(D->m01), so_1a_size = D_01_abs * w_0_padded,
-      D_11_abs = fabsf(D->m11), so_1b_size = D_11_abs * w_1_padded,
+  const float D_01_abs = fabsf(D->m01), so_1a_size = KSL_MULF(D_01_abs, w_0_padded),
+      D_11_abs = fabsf(D->m11), so_1b_size = KSL_MULF(D_11_abs, w_1_padded),
       so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabsf(D->m21),
-      so_1d_size = D_21_abs * w_2_padded, so_1_size = so_1c_size + so_1d_size;
-  const float D_02_abs = fabsf(D->m02), so_2a_size = D_02_abs * w_0_padded,
-      D_12_abs = fabsf(D->m12), so_2b_size = D_12_abs * w_1_padded,
+      so_1d_size = KSL_MULF(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
+  const float D_02_abs = fabsf(D->m02), so_2a_size = KSL_MULF(D_02_abs, w_0_padded),
+      D_12_abs = fabsf(D->m12), so_2b_size = KSL_MULF(D_12_abs, w_1_padded),
       so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabsf(D->m22),
-      so_2d_size = D_22_abs * w_2_padded, so_2_size = so_2c_size + so_2d_size;
+      so_2d_size = KSL_MULF(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
   const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
       so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
       so_3_size = so_3c_size + so_3d_abs;
@@ -2132,17 +2186,17 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
       so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
       so_5_size = so_5c_size + so_5d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.7881396e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.7881396e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.7881396e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2162,21 +2216,24 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = D->m00 * si->m0, w_0b = D->m01 * si->m1, w_0c = w_0a + w_0b,
-      w_0d = D->m02 * si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1b = D->m11 * si->m1, w_1c = w_1a + w_1b,
-      w_1d = D->m12 * si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2b = D->m21 * si->m1, w_2c = w_2a + w_2b,
-      w_2d = D->m22 * si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3b = D->m01 * si->m4, w_3c = w_3a + w_3b,
-      w_3d = D->m02 * si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4b = D->m11 * si->m4, w_4c = w_4a + w_4b,
-      w_4d = D->m12 * si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5b = D->m21 * si->m4, w_5c = w_5a + w_5b,
-      w_5d = D->m22 * si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0b = D->m23 * w_4, so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1b = D->m03 * w_5, so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2b = D->m13 * w_3, so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
+      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
+      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
+      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
+      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
+      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
+      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2 = so_2c + w_2;
   const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
       w_0d_abs = fabsf(w_0d), w_0e_size = w_0c_size + w_0d_abs;
   const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
@@ -2190,25 +2247,26 @@ static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_
   const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
       w_5d_abs = fabsf(w_5d), w_5e_size = w_5c_size + w_5d_abs;
   const float w_5e_padded = w_5e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * w_5e_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5e_padded);
   const float w_4e_padded = w_4e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * w_4e_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4e_padded),
       so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
   const float w_3e_padded = w_3e_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * w_3e_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * w_5e_padded, so_1c_size = so_1a_size + so_1b_size,
+  const float so_1a_size = KSL_MULF(D_23_abs, w_3e_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
       so_1_size = so_1c_size + w_1e_size;
-  const float so_2a_size = D_03_abs * w_4e_padded, so_2b_size = D_13_abs * w_3e_padded,
-      so_2c_size = so_2a_size + so_2b_size, so_2_size = so_2c_size + w_2e_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, w_4e_padded),
+      so_2b_size = KSL_MULF(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
+      so_2_size = so_2c_size + w_2e_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 3.5762795e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 3.5762795e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 3.5762795e-07f * so_2_padded;
-  const float w_3e_error_bound = 1.7881396e-07f * w_3e_padded;
-  const float w_4e_error_bound = 1.7881396e-07f * w_4e_padded;
-  const float w_5e_error_bound = 1.7881396e-07f * w_5e_padded;
+      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
+  const float w_3e_error_bound = KSL_MULF(1.7881396e-07f, w_3e_padded);
+  const float w_4e_error_bound = KSL_MULF(1.7881396e-07f, w_4e_padded);
+  const float w_5e_error_bound = KSL_MULF(1.7881396e-07f, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2228,18 +2286,21 @@ static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m20 * D->m13, so_0b = D->m10 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m00 * D->m23, so_1b = D->m20 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m10 * D->m03, so_2b = D->m00 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0b = KSL_MULF(D->m10, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1b = KSL_MULF(D->m20, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2262,18 +2323,21 @@ static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m21 * D->m13, so_0b = D->m11 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m01 * D->m23, so_1b = D->m21 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m11 * D->m03, so_2b = D->m01 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0b = KSL_MULF(D->m11, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1b = KSL_MULF(D->m21, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2296,18 +2360,21 @@ static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 6 abs. */
 static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m22 * D->m13, so_0b = D->m12 * D->m23, so_0 = so_0a - so_0b;
-  const float so_1a = D->m02 * D->m23, so_1b = D->m22 * D->m03, so_1 = so_1a - so_1b;
-  const float so_2a = D->m12 * D->m03, so_2b = D->m02 * D->m13, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0b = KSL_MULF(D->m12, D->m23),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1b = KSL_MULF(D->m22, D->m03),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2330,9 +2397,12 @@ static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m10 * D->m23, so_0b = D->m20 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m20 * D->m03, so_1b = D->m00 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m00 * D->m13, so_2b = D->m10 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0b = KSL_MULF(D->m20, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1b = KSL_MULF(D->m00, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -2340,11 +2410,11 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2364,9 +2434,12 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m11 * D->m23, so_0b = D->m21 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m21 * D->m03, so_1b = D->m01 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m01 * D->m13, so_2b = D->m11 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0b = KSL_MULF(D->m21, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1b = KSL_MULF(D->m01, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -2374,11 +2447,11 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2398,9 +2471,12 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    9 mul, 9 add, 3 neg, 6 abs. */
 static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
-  const float so_0a = D->m12 * D->m23, so_0b = D->m22 * D->m13, so_0 = so_0a - so_0b;
-  const float so_1a = D->m22 * D->m03, so_1b = D->m02 * D->m23, so_1 = so_1a - so_1b;
-  const float so_2a = D->m02 * D->m13, so_2b = D->m12 * D->m03, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0b = KSL_MULF(D->m22, D->m13),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1b = KSL_MULF(D->m02, D->m23),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
+      so_2 = so_2a - so_2b;
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -2408,11 +2484,11 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2432,15 +2508,24 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
    27 mul, 27 add, 18 abs. */
 static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
     ksl_mat6x6f_t *M_bound) {
-  const float M_03a = D->m20 * D->m13, M_03b = D->m10 * D->m23, M_03 = M_03a - M_03b;
-  const float M_04a = D->m21 * D->m13, M_04b = D->m11 * D->m23, M_04 = M_04a - M_04b;
-  const float M_05a = D->m22 * D->m13, M_05b = D->m12 * D->m23, M_05 = M_05a - M_05b;
-  const float M_13a = D->m00 * D->m23, M_13b = D->m20 * D->m03, M_13 = M_13a - M_13b;
-  const float M_14a = D->m01 * D->m23, M_14b = D->m21 * D->m03, M_14 = M_14a - M_14b;
-  const float M_15a = D->m02 * D->m23, M_15b = D->m22 * D->m03, M_15 = M_15a - M_15b;
-  const float M_23a = D->m10 * D->m03, M_23b = D->m00 * D->m13, M_23 = M_23a - M_23b;
-  const float M_24a = D->m11 * D->m03, M_24b = D->m01 * D->m13, M_24 = M_24a - M_24b;
-  const float M_25a = D->m12 * D->m03, M_25b = D->m02 * D->m13, M_25 = M_25a - M_25b;
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03b = KSL_MULF(D->m10, D->m23),
+      M_03 = M_03a - M_03b;
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04b = KSL_MULF(D->m11, D->m23),
+      M_04 = M_04a - M_04b;
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05b = KSL_MULF(D->m12, D->m23),
+      M_05 = M_05a - M_05b;
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13b = KSL_MULF(D->m20, D->m03),
+      M_13 = M_13a - M_13b;
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14b = KSL_MULF(D->m21, D->m03),
+      M_14 = M_14a - M_14b;
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15b = KSL_MULF(D->m22, D->m03),
+      M_15 = M_15a - M_15b;
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23b = KSL_MULF(D->m00, D->m13),
+      M_23 = M_23a - M_23b;
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24b = KSL_MULF(D->m01, D->m13),
+      M_24 = M_24a - M_24b;
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
+      M_25 = M_25a - M_25b;
   const float M_03a_abs = fabsf(M_03a), M_03b_abs = fabsf(M_03b), M_03_size = M_03a_abs + M_03b_abs;
   const float M_04a_abs = fabsf(M_04a), M_04b_abs = fabsf(M_04b), M_04_size = M_04a_abs + M_04b_abs;
   const float M_05a_abs = fabsf(M_05a), M_05b_abs = fabsf(M_05b), M_05_size = M_05a_abs + M_05b_abs;
@@ -2451,23 +2536,23 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
   const float M_24a_abs = fabsf(M_24a), M_24b_abs = fabsf(M_24b), M_24_size = M_24a_abs + M_24b_abs;
   const float M_25a_abs = fabsf(M_25a), M_25b_abs = fabsf(M_25b), M_25_size = M_25a_abs + M_25b_abs;
   const float M_03_padded = M_03_size + 1.9721523e-31f,
-      M_03_error_bound = 1.192093e-07f * M_03_padded;
+      M_03_error_bound = KSL_MULF(1.192093e-07f, M_03_padded);
   const float M_04_padded = M_04_size + 1.9721523e-31f,
-      M_04_error_bound = 1.192093e-07f * M_04_padded;
+      M_04_error_bound = KSL_MULF(1.192093e-07f, M_04_padded);
   const float M_05_padded = M_05_size + 1.9721523e-31f,
-      M_05_error_bound = 1.192093e-07f * M_05_padded;
+      M_05_error_bound = KSL_MULF(1.192093e-07f, M_05_padded);
   const float M_13_padded = M_13_size + 1.9721523e-31f,
-      M_13_error_bound = 1.192093e-07f * M_13_padded;
+      M_13_error_bound = KSL_MULF(1.192093e-07f, M_13_padded);
   const float M_14_padded = M_14_size + 1.9721523e-31f,
-      M_14_error_bound = 1.192093e-07f * M_14_padded;
+      M_14_error_bound = KSL_MULF(1.192093e-07f, M_14_padded);
   const float M_15_padded = M_15_size + 1.9721523e-31f,
-      M_15_error_bound = 1.192093e-07f * M_15_padded;
+      M_15_error_bound = KSL_MULF(1.192093e-07f, M_15_padded);
   const float M_23_padded = M_23_size + 1.9721523e-31f,
-      M_23_error_bound = 1.192093e-07f * M_23_padded;
+      M_23_error_bound = KSL_MULF(1.192093e-07f, M_23_padded);
   const float M_24_padded = M_24_size + 1.9721523e-31f,
-      M_24_error_bound = 1.192093e-07f * M_24_padded;
+      M_24_error_bound = KSL_MULF(1.192093e-07f, M_24_padded);
   const float M_25_padded = M_25_size + 1.9721523e-31f,
-      M_25_error_bound = 1.192093e-07f * M_25_padded;
+      M_25_error_bound = KSL_MULF(1.192093e-07f, M_25_padded);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2556,10 +2641,11 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
    7 mul, 11 add, 6 abs. */
 static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_screwf_t *s,
     float *power_bound) {
-  const float power_a = c->m0 * s->m0, power_b = c->m1 * s->m1, power_c = power_a + power_b,
-      power_d = c->m2 * s->m2, power_e = power_c + power_d, power_f = c->m3 * s->m3,
-      power_g = c->m4 * s->m4, power_h = power_f + power_g, power_i = c->m5 * s->m5,
-      power_j = power_h + power_i, power = power_e + power_j;
+  const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
+      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
+      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
+      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
+      power = power_e + power_j;
   const float power_a_abs = fabsf(power_a), power_b_abs = fabsf(power_b),
       power_c_size = power_a_abs + power_b_abs, power_d_abs = fabsf(power_d),
       power_e_size = power_c_size + power_d_abs, power_f_abs = fabsf(power_f),
@@ -2567,7 +2653,7 @@ static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_scr
       power_i_abs = fabsf(power_i), power_j_size = power_h_size + power_i_abs,
       power_size = power_e_size + power_j_size;
   const float power_padded = power_size + 1.9721523e-31f,
-      power_error_bound = 2.3841864e-07f * power_padded;
+      power_error_bound = KSL_MULF(2.3841864e-07f, power_padded);
   *power_bound = power_error_bound;
   return power;
 }
@@ -2578,15 +2664,21 @@ static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_scr
    24 mul, 30 add, 18 abs. */
 static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = s1->m1 * s2->m5, so_0b = s1->m5 * s2->m1, so_0c = so_0a - so_0b,
-      so_0d = s1->m4 * s2->m2, so_0e = s1->m2 * s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m0 * s2->m5, so_1c = so_1a - so_1b,
-      so_1d = s1->m2 * s2->m3, so_1e = s1->m3 * s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2b = s1->m4 * s2->m0, so_2c = so_2a - so_2b,
-      so_2d = s1->m3 * s2->m1, so_2e = s1->m1 * s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3b = s1->m5 * s2->m4, so_3 = so_3a - so_3b;
-  const float so_4a = s1->m5 * s2->m3, so_4b = s1->m3 * s2->m5, so_4 = so_4a - so_4b;
-  const float so_5a = s1->m3 * s2->m4, so_5b = s1->m4 * s2->m3, so_5 = so_5a - so_5b;
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
+      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
+      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
+      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
+      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
+      so_3 = so_3a - so_3b;
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
+      so_4 = so_4a - so_4b;
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
+      so_5 = so_5a - so_5b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d), so_0e_abs = fabsf(so_0e),
       so_0f_size = so_0d_abs + so_0e_abs, so_0_size = so_0c_size + so_0f_size;
@@ -2600,17 +2692,17 @@ static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_scr
   const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b), so_4_size = so_4a_abs + so_4b_abs;
   const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b), so_5_size = so_5a_abs + so_5b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = 1.192093e-07f * so_3_padded;
+      so_3_error_bound = KSL_MULF(1.192093e-07f, so_3_padded);
   const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = 1.192093e-07f * so_4_padded;
+      so_4_error_bound = KSL_MULF(1.192093e-07f, so_4_padded);
   const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = 1.192093e-07f * so_5_padded;
+      so_5_error_bound = KSL_MULF(1.192093e-07f, so_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2630,18 +2722,21 @@ static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_scr
    9 mul, 9 add, 6 abs. */
 static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = s1->m4 * s2->m2, so_0b = s1->m5 * s2->m1, so_0 = so_0a - so_0b;
-  const float so_1a = s1->m5 * s2->m0, so_1b = s1->m3 * s2->m2, so_1 = so_1a - so_1b;
-  const float so_2a = s1->m3 * s2->m1, so_2b = s1->m4 * s2->m0, so_2 = so_2a - so_2b;
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0b = KSL_MULF(s1->m5, s2->m1),
+      so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
+      so_2 = so_2a - so_2b;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
   const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
   const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.192093e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.192093e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.192093e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2662,15 +2757,15 @@ static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_sc
    27 mul, 24 add, 12 abs. */
 static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m13 * a_2, so_0b = D->m23 * a_1, so_0 = so_0a - so_0b;
-  const float so_1a = D->m23 * a_0, so_1b = D->m03 * a_2, so_1 = so_1a - so_1b;
-  const float so_2a = D->m03 * a_1, so_2b = D->m13 * a_0, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
       a_0d_abs = fabsf(a_0d), a_0_size = a_0c_size + a_0d_abs;
   const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
@@ -2678,24 +2773,24 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = D_13_abs * a_2_padded;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, a_2_padded);
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = D_23_abs * a_1_padded,
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, a_1_padded),
       so_0_size = so_0a_size + so_0b_size;
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1a_size = D_23_abs * a_0_padded, D_03_abs = fabsf(D->m03),
-      so_1b_size = D_03_abs * a_2_padded, so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = D_03_abs * a_1_padded, so_2b_size = D_13_abs * a_0_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const float so_1a_size = KSL_MULF(D_23_abs, a_0_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, a_1_padded),
+      so_2b_size = KSL_MULF(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 2.9802328e-07f * so_2_padded;
-  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
-  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
-  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
+  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
+  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
+  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2716,12 +2811,12 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    12 mul, 15 add, 9 abs. */
 static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0 = so_0c + so_0d;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1 = so_1c + so_1d;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2 = so_2c + so_2d;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0_size = so_0c_size + so_0d_abs;
@@ -2732,11 +2827,11 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
       so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
       so_2_size = so_2c_size + so_2d_abs;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 1.7881396e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 1.7881396e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 1.7881396e-07f * so_2_padded;
+      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2758,15 +2853,15 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float a_0a = D->m00 * axis->x, a_0b = D->m01 * axis->y, a_0c = a_0a + a_0b,
-      a_0d = D->m02 * axis->z, a_0 = a_0c + a_0d;
-  const float a_1a = D->m10 * axis->x, a_1b = D->m11 * axis->y, a_1c = a_1a + a_1b,
-      a_1d = D->m12 * axis->z, a_1 = a_1c + a_1d;
-  const float a_2a = D->m20 * axis->x, a_2b = D->m21 * axis->y, a_2c = a_2a + a_2b,
-      a_2d = D->m22 * axis->z, a_2 = a_2c + a_2d;
-  const float so_0a = D->m23 * a_1, so_0b = D->m13 * a_2, so_0 = so_0a - so_0b;
-  const float so_1a = D->m03 * a_2, so_1b = D->m23 * a_0, so_1 = so_1a - so_1b;
-  const float so_2a = D->m13 * a_0, so_2b = D->m03 * a_1, so_2 = so_2a - so_2b;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -2777,24 +2872,24 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
       a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0a_size = D_23_abs * a_1_padded;
+  const float D_23_abs = fabsf(D->m23), so_0a_size = KSL_MULF(D_23_abs, a_1_padded);
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0b_size = D_13_abs * a_2_padded,
+  const float D_13_abs = fabsf(D->m13), so_0b_size = KSL_MULF(D_13_abs, a_2_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const float D_03_abs = fabsf(D->m03), so_1a_size = D_03_abs * a_2_padded;
+  const float D_03_abs = fabsf(D->m03), so_1a_size = KSL_MULF(D_03_abs, a_2_padded);
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1b_size = D_23_abs * a_0_padded, so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = D_13_abs * a_0_padded, so_2b_size = D_03_abs * a_1_padded,
-      so_2_size = so_2a_size + so_2b_size;
+  const float so_1b_size = KSL_MULF(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_13_abs, a_0_padded),
+      so_2b_size = KSL_MULF(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = 2.9802328e-07f * so_0_padded;
+      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = 2.9802328e-07f * so_1_padded;
+      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = 2.9802328e-07f * so_2_padded;
-  const float a_0_error_bound = 1.7881396e-07f * a_0_padded;
-  const float a_1_error_bound = 1.7881396e-07f * a_1_padded;
-  const float a_2_error_bound = 1.7881396e-07f * a_2_padded;
+      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
+  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
+  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
+  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2815,12 +2910,15 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
    12 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = D->m00 * axis->x, so_0b = D->m01 * axis->y, so_0c = so_0a + so_0b,
-      so_0d = D->m02 * axis->z, so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1b = D->m11 * axis->y, so_1c = so_1a + so_1b,
-      so_1d = D->m12 * axis->z, so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2b = D->m21 * axis->y, so_2c = so_2a + so_2b,
-      so_2d = D->m22 * axis->z, so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
+      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
+      so_0 = -so_0e;
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
+      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
+      so_1 = -so_1e;
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
+      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
+      so_2 = -so_2e;
   const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
       so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
       so_0e_size = so_0c_size + so_0d_abs;
@@ -2831,11 +2929,11 @@ static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
       so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
       so_2e_size = so_2c_size + so_2d_abs;
   const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = 1.7881396e-07f * so_0e_padded;
+      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
   const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = 1.7881396e-07f * so_1e_padded;
+      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
   const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = 1.7881396e-07f * so_2e_padded;
+      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

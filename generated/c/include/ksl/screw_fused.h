@@ -13,12 +13,12 @@
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_fused(ksl_screw_t *self, const double a) {
-  const double self_0_new = self->m0 * a;
-  const double self_1_new = self->m1 * a;
-  const double self_2_new = self->m2 * a;
-  const double self_3_new = self->m3 * a;
-  const double self_4_new = self->m4 * a;
-  const double self_5_new = self->m5 * a;
+  const double self_0_new = KSL_MUL(self->m0, a);
+  const double self_1_new = KSL_MUL(self->m1, a);
+  const double self_2_new = KSL_MUL(self->m2, a);
+  const double self_3_new = KSL_MUL(self->m3, a);
+  const double self_4_new = KSL_MUL(self->m4, a);
+  const double self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -89,12 +89,12 @@ static inline void ksl_nxpy_ss_fused(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_fused(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = a * si->m0;
-  const double so_1 = a * si->m1;
-  const double so_2 = a * si->m2;
-  const double so_3 = a * si->m3;
-  const double so_4 = a * si->m4;
-  const double so_5 = a * si->m5;
+  const double so_0 = KSL_MUL(a, si->m0);
+  const double so_1 = KSL_MUL(a, si->m1);
+  const double so_2 = KSL_MUL(a, si->m2);
+  const double so_3 = KSL_MUL(a, si->m3);
+  const double so_4 = KSL_MUL(a, si->m4);
+  const double so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -169,9 +169,12 @@ static inline void ksl_add_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->y * si->m5, so_0c = fma(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->z * si->m3, so_1c = fma(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->x * si->m4, so_2c = fma(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0c = fma(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1c = fma(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2c = fma(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -190,9 +193,12 @@ static inline void ksl_product_Adts_fused(const ksl_vec3_t *t, const ksl_screw_t
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -211,9 +217,12 @@ static inline void ksl_product_Adtinvs_fused(const ksl_vec3_t *t, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = t->z * si->m4, so_0c = fma(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const double so_1a = t->x * si->m5, so_1c = fma(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const double so_2a = t->y * si->m3, so_2c = fma(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0c = fma(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1c = fma(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2c = fma(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const double so_3 = -si->m3;
   const double so_4 = -si->m4;
   const double so_5 = -si->m5;
@@ -232,17 +241,17 @@ static inline void ksl_product_Adtsinv_fused(const ksl_vec3_t *t, const ksl_scre
      and underflow. */
 static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0 = fma(R->m02, si->m2, so_0c);
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m12, si->m2, so_1c);
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3 = fma(R->m02, si->m5, so_3c);
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m12, si->m5, so_4c);
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -259,17 +268,17 @@ static inline void ksl_product_Adrs_fused(const ksl_mat3x3_t *R, const ksl_screw
      and underflow. */
 static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m10, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m10, si->m1, so_0a),
       so_0 = fma(R->m20, si->m2, so_0c);
-  const double so_1a = R->m01 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m01, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1 = fma(R->m21, si->m2, so_1c);
-  const double so_2a = R->m02 * si->m0, so_2c = fma(R->m12, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m02, si->m0), so_2c = fma(R->m12, si->m1, so_2a),
       so_2 = fma(R->m22, si->m2, so_2c);
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m10, si->m4, so_3a),
       so_3 = fma(R->m20, si->m5, so_3c);
-  const double so_4a = R->m01 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m01, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4 = fma(R->m21, si->m5, so_4c);
-  const double so_5a = R->m02 * si->m3, so_5c = fma(R->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m02, si->m3), so_5c = fma(R->m12, si->m4, so_5a),
       so_5 = fma(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -286,17 +295,17 @@ static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = R->m00 * si->m0, so_0c = fma(R->m01, si->m1, so_0a),
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
       so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = R->m10 * si->m0, so_1c = fma(R->m11, si->m1, so_1a),
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
       so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = R->m20 * si->m0, so_2c = fma(R->m21, si->m1, so_2a),
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
       so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = R->m00 * si->m3, so_3c = fma(R->m01, si->m4, so_3a),
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
       so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = R->m10 * si->m3, so_4c = fma(R->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
       so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = R->m20 * si->m3, so_5c = fma(R->m21, si->m4, so_5a),
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
       so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -313,21 +322,21 @@ static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0 = fma(D->m02, si->m2, w_0c);
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1 = fma(D->m12, si->m2, w_1c);
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2 = fma(D->m22, si->m2, w_2c);
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3 = fma(D->m02, si->m5, w_3c);
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4 = fma(D->m12, si->m5, w_4c);
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5 = fma(D->m22, si->m5, w_5c);
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -343,20 +352,23 @@ static inline void ksl_product_Ads_fused(const ksl_SE3_t *D, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m23 * si->m4, w_0c = fma(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const double w_1a = D->m03 * si->m5, w_1c = fma(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const double w_2a = D->m13 * si->m3, w_2c = fma(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const double so_0a = D->m00 * w_0, so_0c = fma(D->m10, w_1, so_0a),
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0c = fma(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1c = fma(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2c = fma(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0c = fma(D->m10, w_1, so_0a),
       so_0 = fma(D->m20, w_2, so_0c);
-  const double so_1a = D->m01 * w_0, so_1c = fma(D->m11, w_1, so_1a),
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1c = fma(D->m11, w_1, so_1a),
       so_1 = fma(D->m21, w_2, so_1c);
-  const double so_2a = D->m02 * w_0, so_2c = fma(D->m12, w_1, so_2a),
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2c = fma(D->m12, w_1, so_2a),
       so_2 = fma(D->m22, w_2, so_2c);
-  const double so_3a = D->m00 * si->m3, so_3c = fma(D->m10, si->m4, so_3a),
+  const double so_3a = KSL_MUL(D->m00, si->m3), so_3c = fma(D->m10, si->m4, so_3a),
       so_3 = fma(D->m20, si->m5, so_3c);
-  const double so_4a = D->m01 * si->m3, so_4c = fma(D->m11, si->m4, so_4a),
+  const double so_4a = KSL_MUL(D->m01, si->m3), so_4c = fma(D->m11, si->m4, so_4a),
       so_4 = fma(D->m21, si->m5, so_4c);
-  const double so_5a = D->m02 * si->m3, so_5c = fma(D->m12, si->m4, so_5a),
+  const double so_5a = KSL_MUL(D->m02, si->m3), so_5c = fma(D->m12, si->m4, so_5a),
       so_5 = fma(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -373,21 +385,21 @@ static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_
      barring over- and underflow. */
 static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = D->m00 * si->m0, w_0c = fma(D->m01, si->m1, w_0a),
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
       w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = D->m10 * si->m0, w_1c = fma(D->m11, si->m1, w_1a),
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
       w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = D->m20 * si->m0, w_2c = fma(D->m21, si->m1, w_2a),
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
       w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = D->m00 * si->m3, w_3c = fma(D->m01, si->m4, w_3a),
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
       w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = D->m10 * si->m3, w_4c = fma(D->m11, si->m4, w_4a),
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
       w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = D->m20 * si->m3, w_5c = fma(D->m21, si->m4, w_5a),
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
       w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const double so_0a = D->m13 * w_5, so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const double so_1a = D->m23 * w_3, so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const double so_2a = D->m03 * w_4, so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -402,9 +414,9 @@ static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m20 * D->m13, so_0 = fma(-D->m10, D->m23, so_0a);
-  const double so_1a = D->m00 * D->m23, so_1 = fma(-D->m20, D->m03, so_1a);
-  const double so_2a = D->m10 * D->m03, so_2 = fma(-D->m00, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m20, D->m13), so_0 = fma(-D->m10, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m00, D->m23), so_1 = fma(-D->m20, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m10, D->m03), so_2 = fma(-D->m00, D->m13, so_2a);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -422,9 +434,9 @@ static inline void ksl_hsrx_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m21 * D->m13, so_0 = fma(-D->m11, D->m23, so_0a);
-  const double so_1a = D->m01 * D->m23, so_1 = fma(-D->m21, D->m03, so_1a);
-  const double so_2a = D->m11 * D->m03, so_2 = fma(-D->m01, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m21, D->m13), so_0 = fma(-D->m11, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m01, D->m23), so_1 = fma(-D->m21, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m11, D->m03), so_2 = fma(-D->m01, D->m13, so_2a);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -442,9 +454,9 @@ static inline void ksl_hsry_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m22 * D->m13, so_0 = fma(-D->m12, D->m23, so_0a);
-  const double so_1a = D->m02 * D->m23, so_1 = fma(-D->m22, D->m03, so_1a);
-  const double so_2a = D->m12 * D->m03, so_2 = fma(-D->m02, D->m13, so_2a);
+  const double so_0a = KSL_MUL(D->m22, D->m13), so_0 = fma(-D->m12, D->m23, so_0a);
+  const double so_1a = KSL_MUL(D->m02, D->m23), so_1 = fma(-D->m22, D->m03, so_1a);
+  const double so_2a = KSL_MUL(D->m12, D->m03), so_2 = fma(-D->m02, D->m13, so_2a);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -462,9 +474,9 @@ static inline void ksl_hsrz_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m10 * D->m23, so_0 = fma(-D->m20, D->m13, so_0a);
-  const double so_1a = D->m20 * D->m03, so_1 = fma(-D->m00, D->m23, so_1a);
-  const double so_2a = D->m00 * D->m13, so_2 = fma(-D->m10, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m10, D->m23), so_0 = fma(-D->m20, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m20, D->m03), so_1 = fma(-D->m00, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m00, D->m13), so_2 = fma(-D->m10, D->m03, so_2a);
   const double so_3 = -D->m00;
   const double so_4 = -D->m10;
   const double so_5 = -D->m20;
@@ -482,9 +494,9 @@ static inline void ksl_hsrxinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m11 * D->m23, so_0 = fma(-D->m21, D->m13, so_0a);
-  const double so_1a = D->m21 * D->m03, so_1 = fma(-D->m01, D->m23, so_1a);
-  const double so_2a = D->m01 * D->m13, so_2 = fma(-D->m11, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m11, D->m23), so_0 = fma(-D->m21, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m21, D->m03), so_1 = fma(-D->m01, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m01, D->m13), so_2 = fma(-D->m11, D->m03, so_2a);
   const double so_3 = -D->m01;
   const double so_4 = -D->m11;
   const double so_5 = -D->m21;
@@ -502,9 +514,9 @@ static inline void ksl_hsryinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = D->m12 * D->m23, so_0 = fma(-D->m22, D->m13, so_0a);
-  const double so_1a = D->m22 * D->m03, so_1 = fma(-D->m02, D->m23, so_1a);
-  const double so_2a = D->m02 * D->m13, so_2 = fma(-D->m12, D->m03, so_2a);
+  const double so_0a = KSL_MUL(D->m12, D->m23), so_0 = fma(-D->m22, D->m13, so_0a);
+  const double so_1a = KSL_MUL(D->m22, D->m03), so_1 = fma(-D->m02, D->m23, so_1a);
+  const double so_2a = KSL_MUL(D->m02, D->m13), so_2 = fma(-D->m12, D->m03, so_2a);
   const double so_3 = -D->m02;
   const double so_4 = -D->m12;
   const double so_5 = -D->m22;
@@ -522,15 +534,15 @@ static inline void ksl_hsrzinv_fused(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = D->m20 * D->m13, M_03 = fma(-D->m10, D->m23, M_03a);
-  const double M_04a = D->m21 * D->m13, M_04 = fma(-D->m11, D->m23, M_04a);
-  const double M_05a = D->m22 * D->m13, M_05 = fma(-D->m12, D->m23, M_05a);
-  const double M_13a = D->m00 * D->m23, M_13 = fma(-D->m20, D->m03, M_13a);
-  const double M_14a = D->m01 * D->m23, M_14 = fma(-D->m21, D->m03, M_14a);
-  const double M_15a = D->m02 * D->m23, M_15 = fma(-D->m22, D->m03, M_15a);
-  const double M_23a = D->m10 * D->m03, M_23 = fma(-D->m00, D->m13, M_23a);
-  const double M_24a = D->m11 * D->m03, M_24 = fma(-D->m01, D->m13, M_24a);
-  const double M_25a = D->m12 * D->m03, M_25 = fma(-D->m02, D->m13, M_25a);
+  const double M_03a = KSL_MUL(D->m20, D->m13), M_03 = fma(-D->m10, D->m23, M_03a);
+  const double M_04a = KSL_MUL(D->m21, D->m13), M_04 = fma(-D->m11, D->m23, M_04a);
+  const double M_05a = KSL_MUL(D->m22, D->m13), M_05 = fma(-D->m12, D->m23, M_05a);
+  const double M_13a = KSL_MUL(D->m00, D->m23), M_13 = fma(-D->m20, D->m03, M_13a);
+  const double M_14a = KSL_MUL(D->m01, D->m23), M_14 = fma(-D->m21, D->m03, M_14a);
+  const double M_15a = KSL_MUL(D->m02, D->m23), M_15 = fma(-D->m22, D->m03, M_15a);
+  const double M_23a = KSL_MUL(D->m10, D->m03), M_23 = fma(-D->m00, D->m13, M_23a);
+  const double M_24a = KSL_MUL(D->m11, D->m03), M_24 = fma(-D->m01, D->m13, M_24a);
+  const double M_25a = KSL_MUL(D->m12, D->m03), M_25 = fma(-D->m02, D->m13, M_25a);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -584,8 +596,8 @@ static inline void ksl_Ad_fused(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = c->m0 * s->m0, power_c = fma(c->m1, s->m1, power_a),
-      power_e = fma(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const double power_a = KSL_MUL(c->m0, s->m0), power_c = fma(c->m1, s->m1, power_a),
+      power_e = fma(c->m2, s->m2, power_c), power_f = KSL_MUL(c->m3, s->m3),
       power_h = fma(c->m4, s->m4, power_f), power_j = fma(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -598,15 +610,15 @@ static inline double ksl_dot_cs_fused(const ksl_coscrew_t *c, const ksl_screw_t 
      barring over- and underflow. */
 static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m1 * s2->m5, so_0c = fma(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const double so_1a = s1->m5 * s2->m0, so_1c = fma(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const double so_2a = s1->m0 * s2->m4, so_2c = fma(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const double so_3a = s1->m4 * s2->m5, so_3 = fma(-s1->m5, s2->m4, so_3a);
-  const double so_4a = s1->m5 * s2->m3, so_4 = fma(-s1->m3, s2->m5, so_4a);
-  const double so_5a = s1->m3 * s2->m4, so_5 = fma(-s1->m4, s2->m3, so_5a);
+  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0c = fma(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MUL(s1->m4, s2->m2), so_0f = fma(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1c = fma(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MUL(s1->m2, s2->m3), so_1f = fma(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2c = fma(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MUL(s1->m3, s2->m1), so_2f = fma(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3 = fma(-s1->m5, s2->m4, so_3a);
+  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4 = fma(-s1->m3, s2->m5, so_4a);
+  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5 = fma(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -622,9 +634,9 @@ static inline void ksl_cross_ss_fused(const ksl_screw_t *s1, const ksl_screw_t *
      barring over- and underflow. */
 static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0a = s1->m4 * s2->m2, so_0 = fma(-s1->m5, s2->m1, so_0a);
-  const double so_1a = s1->m5 * s2->m0, so_1 = fma(-s1->m3, s2->m2, so_1a);
-  const double so_2a = s1->m3 * s2->m1, so_2 = fma(-s1->m4, s2->m0, so_2a);
+  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0 = fma(-s1->m5, s2->m1, so_0a);
+  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1 = fma(-s1->m3, s2->m2, so_1a);
+  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2 = fma(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -639,15 +651,15 @@ static inline void ksl_cross_sst_fused(const ksl_screw_t *s1, const ksl_screw_t 
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m13 * a_2, so_0 = fma(-D->m23, a_1, so_0a);
-  const double so_1a = D->m23 * a_0, so_1 = fma(-D->m03, a_2, so_1a);
-  const double so_2a = D->m03 * a_1, so_2 = fma(-D->m13, a_0, so_2a);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2 = fma(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -662,11 +674,11 @@ static inline void ksl_hsra_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0 = fma(D->m02, axis->z, so_0c);
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1 = fma(D->m12, axis->z, so_1c);
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2 = fma(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -682,15 +694,15 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = D->m00 * axis->x, a_0c = fma(D->m01, axis->y, a_0a),
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
       a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = D->m10 * axis->x, a_1c = fma(D->m11, axis->y, a_1a),
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
       a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = D->m20 * axis->x, a_2c = fma(D->m21, axis->y, a_2a),
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
       a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = D->m23 * a_1, so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = D->m03 * a_2, so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = D->m13 * a_0, so_2 = fma(-D->m03, a_1, so_2a);
+  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
+  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
+  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
   const double so_3 = -a_0;
   const double so_4 = -a_1;
   const double so_5 = -a_2;
@@ -708,11 +720,11 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = D->m00 * axis->x, so_0c = fma(D->m01, axis->y, so_0a),
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
       so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = D->m10 * axis->x, so_1c = fma(D->m11, axis->y, so_1a),
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
       so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = D->m20 * axis->x, so_2c = fma(D->m21, axis->y, so_2a),
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
       so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -727,12 +739,12 @@ static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale_fused(ksl_screwf_t *self, const float a) {
-  const float self_0_new = self->m0 * a;
-  const float self_1_new = self->m1 * a;
-  const float self_2_new = self->m2 * a;
-  const float self_3_new = self->m3 * a;
-  const float self_4_new = self->m4 * a;
-  const float self_5_new = self->m5 * a;
+  const float self_0_new = KSL_MULF(self->m0, a);
+  const float self_1_new = KSL_MULF(self->m1, a);
+  const float self_2_new = KSL_MULF(self->m2, a);
+  const float self_3_new = KSL_MULF(self->m3, a);
+  const float self_4_new = KSL_MULF(self->m4, a);
+  const float self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -803,12 +815,12 @@ static inline void ksl_nxpy_ssf_fused(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf_fused(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = a * si->m0;
-  const float so_1 = a * si->m1;
-  const float so_2 = a * si->m2;
-  const float so_3 = a * si->m3;
-  const float so_4 = a * si->m4;
-  const float so_5 = a * si->m5;
+  const float so_0 = KSL_MULF(a, si->m0);
+  const float so_1 = KSL_MULF(a, si->m1);
+  const float so_2 = KSL_MULF(a, si->m2);
+  const float so_3 = KSL_MULF(a, si->m3);
+  const float so_4 = KSL_MULF(a, si->m4);
+  const float so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -884,9 +896,12 @@ static inline void ksl_add_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->y * si->m5, so_0c = fmaf(-t->z, si->m4, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->z * si->m3, so_1c = fmaf(-t->x, si->m5, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->x * si->m4, so_2c = fmaf(-t->y, si->m3, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0c = fmaf(-t->z, si->m4, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1c = fmaf(-t->x, si->m5, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2c = fmaf(-t->y, si->m3, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -905,9 +920,12 @@ static inline void ksl_product_Adtsf_fused(const ksl_vec3f_t *t, const ksl_screw
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c + si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c + si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c + si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c + si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c + si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -926,9 +944,12 @@ static inline void ksl_product_Adtinvsf_fused(const ksl_vec3f_t *t, const ksl_sc
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = t->z * si->m4, so_0c = fmaf(-t->y, si->m5, so_0a), so_0 = so_0c - si->m0;
-  const float so_1a = t->x * si->m5, so_1c = fmaf(-t->z, si->m3, so_1a), so_1 = so_1c - si->m1;
-  const float so_2a = t->y * si->m3, so_2c = fmaf(-t->x, si->m4, so_2a), so_2 = so_2c - si->m2;
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0c = fmaf(-t->y, si->m5, so_0a),
+      so_0 = so_0c - si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1c = fmaf(-t->z, si->m3, so_1a),
+      so_1 = so_1c - si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2c = fmaf(-t->x, si->m4, so_2a),
+      so_2 = so_2c - si->m2;
   const float so_3 = -si->m3;
   const float so_4 = -si->m4;
   const float so_5 = -si->m5;
@@ -947,17 +968,17 @@ static inline void ksl_product_Adtsinvf_fused(const ksl_vec3f_t *t, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0 = fmaf(R->m02, si->m2, so_0c);
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m12, si->m2, so_1c);
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3 = fmaf(R->m02, si->m5, so_3c);
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m12, si->m5, so_4c);
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -974,17 +995,17 @@ static inline void ksl_product_Adrsf_fused(const ksl_mat3x3f_t *R, const ksl_scr
      and underflow. */
 static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m10, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m10, si->m1, so_0a),
       so_0 = fmaf(R->m20, si->m2, so_0c);
-  const float so_1a = R->m01 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m01, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1 = fmaf(R->m21, si->m2, so_1c);
-  const float so_2a = R->m02 * si->m0, so_2c = fmaf(R->m12, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m02, si->m0), so_2c = fmaf(R->m12, si->m1, so_2a),
       so_2 = fmaf(R->m22, si->m2, so_2c);
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m10, si->m4, so_3a),
       so_3 = fmaf(R->m20, si->m5, so_3c);
-  const float so_4a = R->m01 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m01, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4 = fmaf(R->m21, si->m5, so_4c);
-  const float so_5a = R->m02 * si->m3, so_5c = fmaf(R->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m02, si->m3), so_5c = fmaf(R->m12, si->m4, so_5a),
       so_5 = fmaf(R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -1001,17 +1022,17 @@ static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = R->m00 * si->m0, so_0c = fmaf(R->m01, si->m1, so_0a),
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
       so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const float so_1a = R->m10 * si->m0, so_1c = fmaf(R->m11, si->m1, so_1a),
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
       so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const float so_2a = R->m20 * si->m0, so_2c = fmaf(R->m21, si->m1, so_2a),
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
       so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const float so_3a = R->m00 * si->m3, so_3c = fmaf(R->m01, si->m4, so_3a),
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
       so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const float so_4a = R->m10 * si->m3, so_4c = fmaf(R->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
       so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const float so_5a = R->m20 * si->m3, so_5c = fmaf(R->m21, si->m4, so_5a),
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
       so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
   so->m0 = so_0;
   so->m1 = so_1;
@@ -1028,21 +1049,21 @@ static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_
      barring over- and underflow. */
 static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0 = fmaf(D->m02, si->m2, w_0c);
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1 = fmaf(D->m12, si->m2, w_1c);
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2 = fmaf(D->m22, si->m2, w_2c);
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3 = fmaf(D->m02, si->m5, w_3c);
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4 = fmaf(D->m12, si->m5, w_4c);
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5 = fmaf(D->m22, si->m5, w_5c);
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1058,20 +1079,23 @@ static inline void ksl_product_Adsf_fused(const ksl_SE3f_t *D, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m23 * si->m4, w_0c = fmaf(-D->m13, si->m5, w_0a), w_0 = w_0c + si->m0;
-  const float w_1a = D->m03 * si->m5, w_1c = fmaf(-D->m23, si->m3, w_1a), w_1 = w_1c + si->m1;
-  const float w_2a = D->m13 * si->m3, w_2c = fmaf(-D->m03, si->m4, w_2a), w_2 = w_2c + si->m2;
-  const float so_0a = D->m00 * w_0, so_0c = fmaf(D->m10, w_1, so_0a),
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0c = fmaf(-D->m13, si->m5, w_0a),
+      w_0 = w_0c + si->m0;
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1c = fmaf(-D->m23, si->m3, w_1a),
+      w_1 = w_1c + si->m1;
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2c = fmaf(-D->m03, si->m4, w_2a),
+      w_2 = w_2c + si->m2;
+  const float so_0a = KSL_MULF(D->m00, w_0), so_0c = fmaf(D->m10, w_1, so_0a),
       so_0 = fmaf(D->m20, w_2, so_0c);
-  const float so_1a = D->m01 * w_0, so_1c = fmaf(D->m11, w_1, so_1a),
+  const float so_1a = KSL_MULF(D->m01, w_0), so_1c = fmaf(D->m11, w_1, so_1a),
       so_1 = fmaf(D->m21, w_2, so_1c);
-  const float so_2a = D->m02 * w_0, so_2c = fmaf(D->m12, w_1, so_2a),
+  const float so_2a = KSL_MULF(D->m02, w_0), so_2c = fmaf(D->m12, w_1, so_2a),
       so_2 = fmaf(D->m22, w_2, so_2c);
-  const float so_3a = D->m00 * si->m3, so_3c = fmaf(D->m10, si->m4, so_3a),
+  const float so_3a = KSL_MULF(D->m00, si->m3), so_3c = fmaf(D->m10, si->m4, so_3a),
       so_3 = fmaf(D->m20, si->m5, so_3c);
-  const float so_4a = D->m01 * si->m3, so_4c = fmaf(D->m11, si->m4, so_4a),
+  const float so_4a = KSL_MULF(D->m01, si->m3), so_4c = fmaf(D->m11, si->m4, so_4a),
       so_4 = fmaf(D->m21, si->m5, so_4c);
-  const float so_5a = D->m02 * si->m3, so_5c = fmaf(D->m12, si->m4, so_5a),
+  const float so_5a = KSL_MULF(D->m02, si->m3), so_5c = fmaf(D->m12, si->m4, so_5a),
       so_5 = fmaf(D->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -1088,21 +1112,21 @@ static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = D->m00 * si->m0, w_0c = fmaf(D->m01, si->m1, w_0a),
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
       w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = D->m10 * si->m0, w_1c = fmaf(D->m11, si->m1, w_1a),
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
       w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = D->m20 * si->m0, w_2c = fmaf(D->m21, si->m1, w_2a),
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
       w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = D->m00 * si->m3, w_3c = fmaf(D->m01, si->m4, w_3a),
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
       w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = D->m10 * si->m3, w_4c = fmaf(D->m11, si->m4, w_4a),
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
       w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = D->m20 * si->m3, w_5c = fmaf(D->m21, si->m4, w_5a),
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
       w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
-  const float so_0a = D->m13 * w_5, so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
-  const float so_1a = D->m23 * w_3, so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
-  const float so_2a = D->m03 * w_4, so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
+  const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
+  const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
+  const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1117,9 +1141,9 @@ static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_scre
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m20 * D->m13, so_0 = fmaf(-D->m10, D->m23, so_0a);
-  const float so_1a = D->m00 * D->m23, so_1 = fmaf(-D->m20, D->m03, so_1a);
-  const float so_2a = D->m10 * D->m03, so_2 = fmaf(-D->m00, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m20, D->m13), so_0 = fmaf(-D->m10, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m00, D->m23), so_1 = fmaf(-D->m20, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m10, D->m03), so_2 = fmaf(-D->m00, D->m13, so_2a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1137,9 +1161,9 @@ static inline void ksl_hsrxf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m21 * D->m13, so_0 = fmaf(-D->m11, D->m23, so_0a);
-  const float so_1a = D->m01 * D->m23, so_1 = fmaf(-D->m21, D->m03, so_1a);
-  const float so_2a = D->m11 * D->m03, so_2 = fmaf(-D->m01, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m21, D->m13), so_0 = fmaf(-D->m11, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m01, D->m23), so_1 = fmaf(-D->m21, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m11, D->m03), so_2 = fmaf(-D->m01, D->m13, so_2a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -1157,9 +1181,9 @@ static inline void ksl_hsryf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m22 * D->m13, so_0 = fmaf(-D->m12, D->m23, so_0a);
-  const float so_1a = D->m02 * D->m23, so_1 = fmaf(-D->m22, D->m03, so_1a);
-  const float so_2a = D->m12 * D->m03, so_2 = fmaf(-D->m02, D->m13, so_2a);
+  const float so_0a = KSL_MULF(D->m22, D->m13), so_0 = fmaf(-D->m12, D->m23, so_0a);
+  const float so_1a = KSL_MULF(D->m02, D->m23), so_1 = fmaf(-D->m22, D->m03, so_1a);
+  const float so_2a = KSL_MULF(D->m12, D->m03), so_2 = fmaf(-D->m02, D->m13, so_2a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -1177,9 +1201,9 @@ static inline void ksl_hsrzf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m10 * D->m23, so_0 = fmaf(-D->m20, D->m13, so_0a);
-  const float so_1a = D->m20 * D->m03, so_1 = fmaf(-D->m00, D->m23, so_1a);
-  const float so_2a = D->m00 * D->m13, so_2 = fmaf(-D->m10, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m10, D->m23), so_0 = fmaf(-D->m20, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m20, D->m03), so_1 = fmaf(-D->m00, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m00, D->m13), so_2 = fmaf(-D->m10, D->m03, so_2a);
   const float so_3 = -D->m00;
   const float so_4 = -D->m10;
   const float so_5 = -D->m20;
@@ -1197,9 +1221,9 @@ static inline void ksl_hsrxinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m11 * D->m23, so_0 = fmaf(-D->m21, D->m13, so_0a);
-  const float so_1a = D->m21 * D->m03, so_1 = fmaf(-D->m01, D->m23, so_1a);
-  const float so_2a = D->m01 * D->m13, so_2 = fmaf(-D->m11, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m11, D->m23), so_0 = fmaf(-D->m21, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m21, D->m03), so_1 = fmaf(-D->m01, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m01, D->m13), so_2 = fmaf(-D->m11, D->m03, so_2a);
   const float so_3 = -D->m01;
   const float so_4 = -D->m11;
   const float so_5 = -D->m21;
@@ -1217,9 +1241,9 @@ static inline void ksl_hsryinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = D->m12 * D->m23, so_0 = fmaf(-D->m22, D->m13, so_0a);
-  const float so_1a = D->m22 * D->m03, so_1 = fmaf(-D->m02, D->m23, so_1a);
-  const float so_2a = D->m02 * D->m13, so_2 = fmaf(-D->m12, D->m03, so_2a);
+  const float so_0a = KSL_MULF(D->m12, D->m23), so_0 = fmaf(-D->m22, D->m13, so_0a);
+  const float so_1a = KSL_MULF(D->m22, D->m03), so_1 = fmaf(-D->m02, D->m23, so_1a);
+  const float so_2a = KSL_MULF(D->m02, D->m13), so_2 = fmaf(-D->m12, D->m03, so_2a);
   const float so_3 = -D->m02;
   const float so_4 = -D->m12;
   const float so_5 = -D->m22;
@@ -1237,15 +1261,15 @@ static inline void ksl_hsrzinvf_fused(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = D->m20 * D->m13, M_03 = fmaf(-D->m10, D->m23, M_03a);
-  const float M_04a = D->m21 * D->m13, M_04 = fmaf(-D->m11, D->m23, M_04a);
-  const float M_05a = D->m22 * D->m13, M_05 = fmaf(-D->m12, D->m23, M_05a);
-  const float M_13a = D->m00 * D->m23, M_13 = fmaf(-D->m20, D->m03, M_13a);
-  const float M_14a = D->m01 * D->m23, M_14 = fmaf(-D->m21, D->m03, M_14a);
-  const float M_15a = D->m02 * D->m23, M_15 = fmaf(-D->m22, D->m03, M_15a);
-  const float M_23a = D->m10 * D->m03, M_23 = fmaf(-D->m00, D->m13, M_23a);
-  const float M_24a = D->m11 * D->m03, M_24 = fmaf(-D->m01, D->m13, M_24a);
-  const float M_25a = D->m12 * D->m03, M_25 = fmaf(-D->m02, D->m13, M_25a);
+  const float M_03a = KSL_MULF(D->m20, D->m13), M_03 = fmaf(-D->m10, D->m23, M_03a);
+  const float M_04a = KSL_MULF(D->m21, D->m13), M_04 = fmaf(-D->m11, D->m23, M_04a);
+  const float M_05a = KSL_MULF(D->m22, D->m13), M_05 = fmaf(-D->m12, D->m23, M_05a);
+  const float M_13a = KSL_MULF(D->m00, D->m23), M_13 = fmaf(-D->m20, D->m03, M_13a);
+  const float M_14a = KSL_MULF(D->m01, D->m23), M_14 = fmaf(-D->m21, D->m03, M_14a);
+  const float M_15a = KSL_MULF(D->m02, D->m23), M_15 = fmaf(-D->m22, D->m03, M_15a);
+  const float M_23a = KSL_MULF(D->m10, D->m03), M_23 = fmaf(-D->m00, D->m13, M_23a);
+  const float M_24a = KSL_MULF(D->m11, D->m03), M_24 = fmaf(-D->m01, D->m13, M_24a);
+  const float M_25a = KSL_MULF(D->m12, D->m03), M_25 = fmaf(-D->m02, D->m13, M_25a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1299,8 +1323,8 @@ static inline void ksl_Adf_fused(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = c->m0 * s->m0, power_c = fmaf(c->m1, s->m1, power_a),
-      power_e = fmaf(c->m2, s->m2, power_c), power_f = c->m3 * s->m3,
+  const float power_a = KSL_MULF(c->m0, s->m0), power_c = fmaf(c->m1, s->m1, power_a),
+      power_e = fmaf(c->m2, s->m2, power_c), power_f = KSL_MULF(c->m3, s->m3),
       power_h = fmaf(c->m4, s->m4, power_f), power_j = fmaf(c->m5, s->m5, power_h),
       power = power_e + power_j;
   return power;
@@ -1313,15 +1337,15 @@ static inline float ksl_dot_csf_fused(const ksl_coscrewf_t *c, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m1 * s2->m5, so_0c = fmaf(-s1->m5, s2->m1, so_0a),
-      so_0d = s1->m4 * s2->m2, so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const float so_1a = s1->m5 * s2->m0, so_1c = fmaf(-s1->m0, s2->m5, so_1a),
-      so_1d = s1->m2 * s2->m3, so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const float so_2a = s1->m0 * s2->m4, so_2c = fmaf(-s1->m4, s2->m0, so_2a),
-      so_2d = s1->m3 * s2->m1, so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const float so_3a = s1->m4 * s2->m5, so_3 = fmaf(-s1->m5, s2->m4, so_3a);
-  const float so_4a = s1->m5 * s2->m3, so_4 = fmaf(-s1->m3, s2->m5, so_4a);
-  const float so_5a = s1->m3 * s2->m4, so_5 = fmaf(-s1->m4, s2->m3, so_5a);
+  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0c = fmaf(-s1->m5, s2->m1, so_0a),
+      so_0d = KSL_MULF(s1->m4, s2->m2), so_0f = fmaf(-s1->m2, s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1c = fmaf(-s1->m0, s2->m5, so_1a),
+      so_1d = KSL_MULF(s1->m2, s2->m3), so_1f = fmaf(-s1->m3, s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2c = fmaf(-s1->m4, s2->m0, so_2a),
+      so_2d = KSL_MULF(s1->m3, s2->m1), so_2f = fmaf(-s1->m1, s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3 = fmaf(-s1->m5, s2->m4, so_3a);
+  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4 = fmaf(-s1->m3, s2->m5, so_4a);
+  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5 = fmaf(-s1->m4, s2->m3, so_5a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1337,9 +1361,9 @@ static inline void ksl_cross_ssf_fused(const ksl_screwf_t *s1, const ksl_screwf_
      barring over- and underflow. */
 static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = s1->m4 * s2->m2, so_0 = fmaf(-s1->m5, s2->m1, so_0a);
-  const float so_1a = s1->m5 * s2->m0, so_1 = fmaf(-s1->m3, s2->m2, so_1a);
-  const float so_2a = s1->m3 * s2->m1, so_2 = fmaf(-s1->m4, s2->m0, so_2a);
+  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0 = fmaf(-s1->m5, s2->m1, so_0a);
+  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1 = fmaf(-s1->m3, s2->m2, so_1a);
+  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2 = fmaf(-s1->m4, s2->m0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1354,15 +1378,15 @@ static inline void ksl_cross_sstf_fused(const ksl_screwf_t *s1, const ksl_screwf
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m13 * a_2, so_0 = fmaf(-D->m23, a_1, so_0a);
-  const float so_1a = D->m23 * a_0, so_1 = fmaf(-D->m03, a_2, so_1a);
-  const float so_2a = D->m03 * a_1, so_2 = fmaf(-D->m13, a_0, so_2a);
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2 = fmaf(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1377,11 +1401,11 @@ static inline void ksl_hsraf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0 = fmaf(D->m02, axis->z, so_0c);
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1 = fmaf(D->m12, axis->z, so_1c);
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2 = fmaf(D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
@@ -1398,15 +1422,15 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = D->m00 * axis->x, a_0c = fmaf(D->m01, axis->y, a_0a),
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
       a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = D->m10 * axis->x, a_1c = fmaf(D->m11, axis->y, a_1a),
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
       a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = D->m20 * axis->x, a_2c = fmaf(D->m21, axis->y, a_2a),
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
       a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = D->m23 * a_1, so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = D->m03 * a_2, so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = D->m13 * a_0, so_2 = fmaf(-D->m03, a_1, so_2a);
+  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
+  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
+  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
   const float so_3 = -a_0;
   const float so_4 = -a_1;
   const float so_5 = -a_2;
@@ -1425,11 +1449,11 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = D->m00 * axis->x, so_0c = fmaf(D->m01, axis->y, so_0a),
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
       so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = D->m10 * axis->x, so_1c = fmaf(D->m11, axis->y, so_1a),
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
       so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = D->m20 * axis->x, so_2c = fmaf(D->m21, axis->y, so_2a),
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
       so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
   so->m0 = so_0;
   so->m1 = so_1;

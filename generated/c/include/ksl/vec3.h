@@ -35,9 +35,9 @@ static inline void ksl_vec3_copy(const ksl_vec3_t *vi, ksl_vec3_t *vo) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -75,9 +75,9 @@ static inline void ksl_vec3_invert(ksl_vec3_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vv(const double a, const ksl_vec3_t *x, ksl_vec3_t *y) {
-  const double y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
+  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
+  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -114,9 +114,9 @@ static inline void ksl_nxpy_vv(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -153,9 +153,9 @@ static inline void ksl_subtract_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -192,15 +192,15 @@ static inline double ksl_vec3_l2norm(const ksl_vec3_t *v) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return norm;
 }
 
@@ -216,23 +216,23 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -250,23 +250,23 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = v->x * up;
-  const double enlarged_1 = v->y * up;
-  const double enlarged_2 = v->z * up;
+  const double enlarged_0 = KSL_MUL(v->x, up);
+  const double enlarged_1 = KSL_MUL(v->y, up);
+  const double enlarged_2 = KSL_MUL(v->z, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
-  const double vo_0 = quotient_0 * down;
-  const double vo_1 = quotient_1 * down;
-  const double vo_2 = quotient_2 * down;
+  const double vo_0 = KSL_MUL(quotient_0, down);
+  const double vo_1 = KSL_MUL(quotient_1, down);
+  const double vo_2 = KSL_MUL(quotient_2, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -284,9 +284,9 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
       s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
       s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
-  const double scaled_s1_0 = v1->x * s1;
-  const double scaled_s1_1 = v1->y * s1;
-  const double scaled_s1_2 = v1->z * s1;
+  const double scaled_s1_0 = KSL_MUL(v1->x, s1);
+  const double scaled_s1_1 = KSL_MUL(v1->y, s1);
+  const double scaled_s1_2 = KSL_MUL(v1->z, s1);
   const double s2_size_0 = fabs(v2->x);
   const double s2_size_1 = fabs(v2->y);
   const double s2_size_2 = fabs(v2->z);
@@ -295,14 +295,14 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
       s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
       s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
-  const double scaled_s2_0 = v2->x * s2;
-  const double scaled_s2_1 = v2->y * s2;
-  const double scaled_s2_2 = v2->z * s2;
-  const double c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1,
+  const double scaled_s2_0 = KSL_MUL(v2->x, s2);
+  const double scaled_s2_1 = KSL_MUL(v2->y, s2);
+  const double scaled_s2_2 = KSL_MUL(v2->z, s2);
+  const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2), c_0b = KSL_MUL(scaled_s1_2, scaled_s2_1),
       c_0 = c_0a - c_0b;
-  const double c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2,
+  const double c_1a = KSL_MUL(scaled_s1_2, scaled_s2_0), c_1b = KSL_MUL(scaled_s1_0, scaled_s2_2),
       c_1 = c_1a - c_1b;
-  const double c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0,
+  const double c_2a = KSL_MUL(scaled_s1_0, scaled_s2_1), c_2b = KSL_MUL(scaled_s1_1, scaled_s2_0),
       c_2 = c_2a - c_2b;
   const double s_size_0 = fabs(c_0);
   const double s_size_1 = fabs(c_1);
@@ -312,17 +312,18 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = c_0 * s;
-  const double y_1 = c_1 * s;
-  const double y_2 = c_2 * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrt(n_e);
+  const double y_0 = KSL_MUL(c_0, s);
+  const double y_1 = KSL_MUL(c_1, s);
+  const double y_2 = KSL_MUL(c_2, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double cross = n * r;
-  const double dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
-      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const double cross = KSL_MUL(n, r);
+  const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
+      dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
+      dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
   const double angle = atan2(cross, dot_);
   return angle;
 }
@@ -333,8 +334,8 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_b = KSL_MUL(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MUL(v1->z, v2->z), dot = dot_c + dot_d;
   return dot;
 }
 
@@ -343,9 +344,9 @@ static inline double ksl_dot_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -369,9 +370,9 @@ static inline void ksl_product_ainvv(const double k, const ksl_vec3_t *v, ksl_ve
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0b = KSL_MUL(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1b = KSL_MUL(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2b = KSL_MUL(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -383,9 +384,9 @@ static inline void ksl_cross_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinv(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const double vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const double vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0b = KSL_MUL(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1b = KSL_MUL(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2b = KSL_MUL(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -496,9 +497,9 @@ static inline void ksl_vec3f_copy(const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale(ksl_vec3f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -536,9 +537,9 @@ static inline void ksl_vec3f_invert(ksl_vec3f_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_vvf(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const float y_0_new_a = a * x->x, y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = a * x->y, y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = a * x->z, y_2_new = y_2_new_a + y->z;
+  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
+  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
+  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -575,9 +576,9 @@ static inline void ksl_nxpy_vvf(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -614,9 +615,9 @@ static inline void ksl_subtract_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -653,14 +654,14 @@ static inline float ksl_vec3f_l2norm(const ksl_vec3f_t *v) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = v->x * s;
-  const float y_1 = v->y * s;
-  const float y_2 = v->z * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(v->x, s);
+  const float y_1 = KSL_MULF(v->y, s);
+  const float y_2 = KSL_MULF(v->z, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
-  const float norm = n * r;
+  const float norm = KSL_MULF(n, r);
   return norm;
 }
 
@@ -676,23 +677,23 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = self->x * s;
-  const float y_1 = self->y * s;
-  const float y_2 = self->z * s;
+  const float y_0 = KSL_MULF(self->x, s);
+  const float y_1 = KSL_MULF(self->y, s);
+  const float y_2 = KSL_MULF(self->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = self->x * up;
-  const float enlarged_1 = self->y * up;
-  const float enlarged_2 = self->z * up;
+  const float enlarged_0 = KSL_MULF(self->x, up);
+  const float enlarged_1 = KSL_MULF(self->y, up);
+  const float enlarged_2 = KSL_MULF(self->z, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
-  const float self_0_new = quotient_0 * down;
-  const float self_1_new = quotient_1 * down;
-  const float self_2_new = quotient_2 * down;
+  const float self_0_new = KSL_MULF(quotient_0, down);
+  const float self_1_new = KSL_MULF(quotient_1, down);
+  const float self_2_new = KSL_MULF(quotient_2, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -710,23 +711,23 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = v->x * s;
-  const float y_1 = v->y * s;
-  const float y_2 = v->z * s;
+  const float y_0 = KSL_MULF(v->x, s);
+  const float y_1 = KSL_MULF(v->y, s);
+  const float y_2 = KSL_MULF(v->z, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = v->x * up;
-  const float enlarged_1 = v->y * up;
-  const float enlarged_2 = v->z * up;
+  const float enlarged_0 = KSL_MULF(v->x, up);
+  const float enlarged_1 = KSL_MULF(v->y, up);
+  const float enlarged_2 = KSL_MULF(v->z, up);
   const float quotient_0 = enlarged_0 / divisor;
   const float quotient_1 = enlarged_1 / divisor;
   const float quotient_2 = enlarged_2 / divisor;
-  const float vo_0 = quotient_0 * down;
-  const float vo_1 = quotient_1 * down;
-  const float vo_2 = quotient_2 * down;
+  const float vo_0 = KSL_MULF(quotient_0, down);
+  const float vo_1 = KSL_MULF(quotient_1, down);
+  const float vo_2 = KSL_MULF(quotient_2, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -744,9 +745,9 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
       s1d = s1_largest2 < 256.0f ? 1.8014399e+16f : s1b,
       s1 = s1_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s1d;
-  const float scaled_s1_0 = v1->x * s1;
-  const float scaled_s1_1 = v1->y * s1;
-  const float scaled_s1_2 = v1->z * s1;
+  const float scaled_s1_0 = KSL_MULF(v1->x, s1);
+  const float scaled_s1_1 = KSL_MULF(v1->y, s1);
+  const float scaled_s1_2 = KSL_MULF(v1->z, s1);
   const float s2_size_0 = fabsf(v2->x);
   const float s2_size_1 = fabsf(v2->y);
   const float s2_size_2 = fabsf(v2->z);
@@ -755,12 +756,15 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
       s2d = s2_largest2 < 256.0f ? 1.8014399e+16f : s2b,
       s2 = s2_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s2d;
-  const float scaled_s2_0 = v2->x * s2;
-  const float scaled_s2_1 = v2->y * s2;
-  const float scaled_s2_2 = v2->z * s2;
-  const float c_0a = scaled_s1_1 * scaled_s2_2, c_0b = scaled_s1_2 * scaled_s2_1, c_0 = c_0a - c_0b;
-  const float c_1a = scaled_s1_2 * scaled_s2_0, c_1b = scaled_s1_0 * scaled_s2_2, c_1 = c_1a - c_1b;
-  const float c_2a = scaled_s1_0 * scaled_s2_1, c_2b = scaled_s1_1 * scaled_s2_0, c_2 = c_2a - c_2b;
+  const float scaled_s2_0 = KSL_MULF(v2->x, s2);
+  const float scaled_s2_1 = KSL_MULF(v2->y, s2);
+  const float scaled_s2_2 = KSL_MULF(v2->z, s2);
+  const float c_0a = KSL_MULF(scaled_s1_1, scaled_s2_2), c_0b = KSL_MULF(scaled_s1_2, scaled_s2_1),
+      c_0 = c_0a - c_0b;
+  const float c_1a = KSL_MULF(scaled_s1_2, scaled_s2_0), c_1b = KSL_MULF(scaled_s1_0, scaled_s2_2),
+      c_1 = c_1a - c_1b;
+  const float c_2a = KSL_MULF(scaled_s1_0, scaled_s2_1), c_2b = KSL_MULF(scaled_s1_1, scaled_s2_0),
+      c_2 = c_2a - c_2b;
   const float s_size_0 = fabsf(c_0);
   const float s_size_1 = fabsf(c_1);
   const float s_size_2 = fabsf(c_2);
@@ -769,16 +773,17 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = c_0 * s;
-  const float y_1 = c_1 * s;
-  const float y_2 = c_2 * s;
-  const float n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(c_0, s);
+  const float y_1 = KSL_MULF(c_1, s);
+  const float y_2 = KSL_MULF(c_2, s);
+  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
-  const float cross = n * r;
-  const float dot__a = scaled_s1_0 * scaled_s2_0, dot__b = scaled_s1_1 * scaled_s2_1,
-      dot__c = dot__a + dot__b, dot__d = scaled_s1_2 * scaled_s2_2, dot_ = dot__c + dot__d;
+  const float cross = KSL_MULF(n, r);
+  const float dot__a = KSL_MULF(scaled_s1_0, scaled_s2_0),
+      dot__b = KSL_MULF(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
+      dot__d = KSL_MULF(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
   const float angle = atan2f(cross, dot_);
   return angle;
 }
@@ -789,8 +794,8 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = v1->x * v2->x, dot_b = v1->y * v2->y, dot_c = dot_a + dot_b,
-      dot_d = v1->z * v2->z, dot = dot_c + dot_d;
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_b = KSL_MULF(v1->y, v2->y), dot_c = dot_a + dot_b,
+      dot_d = KSL_MULF(v1->z, v2->z), dot = dot_c + dot_d;
   return dot;
 }
 
@@ -799,9 +804,9 @@ static inline float ksl_dot_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -825,9 +830,9 @@ static inline void ksl_product_ainvvf(const float k, const ksl_vec3f_t *v, ksl_v
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = v1->y * v2->z, vo_0b = v1->z * v2->y, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->z * v2->x, vo_1b = v1->x * v2->z, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->x * v2->y, vo_2b = v1->y * v2->x, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0b = KSL_MULF(v1->z, v2->y), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1b = KSL_MULF(v1->x, v2->z), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2b = KSL_MULF(v1->y, v2->x), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -839,9 +844,9 @@ static inline void ksl_cross_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, k
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vvinvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2, ksl_vec3f_t *vo) {
-  const float vo_0a = v1->z * v2->y, vo_0b = v1->y * v2->z, vo_0 = vo_0a - vo_0b;
-  const float vo_1a = v1->x * v2->z, vo_1b = v1->z * v2->x, vo_1 = vo_1a - vo_1b;
-  const float vo_2a = v1->y * v2->x, vo_2b = v1->x * v2->y, vo_2 = vo_2a - vo_2b;
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0b = KSL_MULF(v1->y, v2->z), vo_0 = vo_0a - vo_0b;
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1b = KSL_MULF(v1->z, v2->x), vo_1 = vo_1a - vo_1b;
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2b = KSL_MULF(v1->x, v2->y), vo_2 = vo_2a - vo_2b;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

@@ -13,9 +13,9 @@
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scale_fused(ksl_vec3_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -65,9 +65,9 @@ static inline void ksl_nxpy_vv_fused(const ksl_vec3_t *x, ksl_vec3_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_av_fused(const double a, const ksl_vec3_t *vi, ksl_vec3_t *vo) {
-  const double vo_0 = a * vi->x;
-  const double vo_1 = a * vi->y;
-  const double vo_2 = a * vi->z;
+  const double vo_0 = KSL_MUL(a, vi->x);
+  const double vo_1 = KSL_MUL(a, vi->y);
+  const double vo_2 = KSL_MUL(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -105,9 +105,9 @@ static inline void ksl_subtract_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -119,7 +119,7 @@ static inline void ksl_vec3_scaled_fused(const ksl_vec3_t *v, const double k, ks
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
-  const double dot_a = v1->x * v2->x, dot_c = fma(v1->y, v2->y, dot_a),
+  const double dot_a = KSL_MUL(v1->x, v2->x), dot_c = fma(v1->y, v2->y, dot_a),
       dot = fma(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -129,9 +129,9 @@ static inline double ksl_dot_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = k * v->x, vo_0 = -vo_0a;
-  const double vo_1a = k * v->y, vo_1 = -vo_1a;
-  const double vo_2a = k * v->z, vo_2 = -vo_2a;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -143,9 +143,9 @@ static inline void ksl_product_avinv_fused(const double k, const ksl_vec3_t *v, 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2, ksl_vec3_t *vo) {
-  const double vo_0a = v1->y * v2->z, vo_0 = fma(-v1->z, v2->y, vo_0a);
-  const double vo_1a = v1->z * v2->x, vo_1 = fma(-v1->x, v2->z, vo_1a);
-  const double vo_2a = v1->x * v2->y, vo_2 = fma(-v1->y, v2->x, vo_2a);
+  const double vo_0a = KSL_MUL(v1->y, v2->z), vo_0 = fma(-v1->z, v2->y, vo_0a);
+  const double vo_1a = KSL_MUL(v1->z, v2->x), vo_1 = fma(-v1->x, v2->z, vo_1a);
+  const double vo_2a = KSL_MUL(v1->x, v2->y), vo_2 = fma(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -158,9 +158,9 @@ static inline void ksl_cross_vv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2
      and underflow. */
 static inline void ksl_cross_vvinv_fused(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
     ksl_vec3_t *vo) {
-  const double vo_0a = v1->z * v2->y, vo_0 = fma(-v1->y, v2->z, vo_0a);
-  const double vo_1a = v1->x * v2->z, vo_1 = fma(-v1->z, v2->x, vo_1a);
-  const double vo_2a = v1->y * v2->x, vo_2 = fma(-v1->x, v2->y, vo_2a);
+  const double vo_0a = KSL_MUL(v1->z, v2->y), vo_0 = fma(-v1->y, v2->z, vo_0a);
+  const double vo_1a = KSL_MUL(v1->x, v2->z), vo_1 = fma(-v1->z, v2->x, vo_1a);
+  const double vo_2a = KSL_MUL(v1->y, v2->x), vo_2 = fma(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -249,9 +249,9 @@ static inline void ksl_add_vvzinv_fused(const ksl_vec3_t *v, const double k, ksl
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scale_fused(ksl_vec3f_t *self, const float a) {
-  const float self_0_new = self->x * a;
-  const float self_1_new = self->y * a;
-  const float self_2_new = self->z * a;
+  const float self_0_new = KSL_MULF(self->x, a);
+  const float self_1_new = KSL_MULF(self->y, a);
+  const float self_2_new = KSL_MULF(self->z, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -301,9 +301,9 @@ static inline void ksl_nxpy_vvf_fused(const ksl_vec3f_t *x, ksl_vec3f_t *y) {
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avf_fused(const float a, const ksl_vec3f_t *vi, ksl_vec3f_t *vo) {
-  const float vo_0 = a * vi->x;
-  const float vo_1 = a * vi->y;
-  const float vo_2 = a * vi->z;
+  const float vo_0 = KSL_MULF(a, vi->x);
+  const float vo_1 = KSL_MULF(a, vi->y);
+  const float vo_2 = KSL_MULF(a, vi->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -342,9 +342,9 @@ static inline void ksl_subtract_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = v->x * k;
-  const float vo_1 = v->y * k;
-  const float vo_2 = v->z * k;
+  const float vo_0 = KSL_MULF(v->x, k);
+  const float vo_1 = KSL_MULF(v->y, k);
+  const float vo_2 = KSL_MULF(v->z, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -356,7 +356,7 @@ static inline void ksl_vec3f_scaled_fused(const ksl_vec3f_t *v, const float k, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const float dot_a = v1->x * v2->x, dot_c = fmaf(v1->y, v2->y, dot_a),
+  const float dot_a = KSL_MULF(v1->x, v2->x), dot_c = fmaf(v1->y, v2->y, dot_a),
       dot = fmaf(v1->z, v2->z, dot_c);
   return dot;
 }
@@ -366,9 +366,9 @@ static inline float ksl_dot_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = k * v->x, vo_0 = -vo_0a;
-  const float vo_1a = k * v->y, vo_1 = -vo_1a;
-  const float vo_2a = k * v->z, vo_2 = -vo_2a;
+  const float vo_0a = KSL_MULF(k, v->x), vo_0 = -vo_0a;
+  const float vo_1a = KSL_MULF(k, v->y), vo_1 = -vo_1a;
+  const float vo_2a = KSL_MULF(k, v->z), vo_2 = -vo_2a;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -381,9 +381,9 @@ static inline void ksl_product_avinvf_fused(const float k, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->y * v2->z, vo_0 = fmaf(-v1->z, v2->y, vo_0a);
-  const float vo_1a = v1->z * v2->x, vo_1 = fmaf(-v1->x, v2->z, vo_1a);
-  const float vo_2a = v1->x * v2->y, vo_2 = fmaf(-v1->y, v2->x, vo_2a);
+  const float vo_0a = KSL_MULF(v1->y, v2->z), vo_0 = fmaf(-v1->z, v2->y, vo_0a);
+  const float vo_1a = KSL_MULF(v1->z, v2->x), vo_1 = fmaf(-v1->x, v2->z, vo_1a);
+  const float vo_2a = KSL_MULF(v1->x, v2->y), vo_2 = fmaf(-v1->y, v2->x, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -396,9 +396,9 @@ static inline void ksl_cross_vvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_cross_vvinvf_fused(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const float vo_0a = v1->z * v2->y, vo_0 = fmaf(-v1->y, v2->z, vo_0a);
-  const float vo_1a = v1->x * v2->z, vo_1 = fmaf(-v1->z, v2->x, vo_1a);
-  const float vo_2a = v1->y * v2->x, vo_2 = fmaf(-v1->x, v2->y, vo_2a);
+  const float vo_0a = KSL_MULF(v1->z, v2->y), vo_0 = fmaf(-v1->y, v2->z, vo_0a);
+  const float vo_1a = KSL_MULF(v1->x, v2->z), vo_1 = fmaf(-v1->z, v2->x, vo_1a);
+  const float vo_2a = KSL_MULF(v1->y, v2->x), vo_2 = fmaf(-v1->x, v2->y, vo_2a);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

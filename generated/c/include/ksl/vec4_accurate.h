@@ -13,10 +13,10 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scale_accurate(ksl_vec4_t *self, const double a) {
-  const double self_0_new = self->x * a;
-  const double self_1_new = self->y * a;
-  const double self_2_new = self->z * a;
-  const double self_3_new = self->w * a;
+  const double self_0_new = KSL_MUL(self->x, a);
+  const double self_1_new = KSL_MUL(self->y, a);
+  const double self_2_new = KSL_MUL(self->z, a);
+  const double self_3_new = KSL_MUL(self->w, a);
   const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
       self_0_new_rounded = self_0_new + self_0_new_lo;
   const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
@@ -36,10 +36,10 @@ static inline void ksl_vec4_scale_accurate(ksl_vec4_t *self, const double a) {
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
-  const double vo_0 = v->x * k;
-  const double vo_1 = v->y * k;
-  const double vo_2 = v->z * k;
-  const double vo_3 = v->w * k;
+  const double vo_0 = KSL_MUL(v->x, k);
+  const double vo_1 = KSL_MUL(v->y, k);
+  const double vo_2 = KSL_MUL(v->z, k);
+  const double vo_3 = KSL_MUL(v->w, k);
   const double vo_0_lo = ksl_product_error(v->x, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
   const double vo_1_lo = ksl_product_error(v->y, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
   const double vo_2_lo = ksl_product_error(v->z, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
@@ -65,36 +65,38 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
-  const double y_3 = v->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
+  const double y_3 = KSL_MUL(v->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
   const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
       norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
       norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = norm_of_n * r,
-      norm_inverse = 1.0 / r, norm_back = norm * norm_inverse, norm_lost = norm_of_n - norm_back,
-      norm_rest = norm_lost + norm_of_n_lo, norm_small = norm_rest * r,
-      norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
+      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
+      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
+      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -115,28 +117,30 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = self->x * s;
-  const double y_1 = self->y * s;
-  const double y_2 = self->z * s;
-  const double y_3 = self->w * s;
+  const double y_0 = KSL_MUL(self->x, s);
+  const double y_1 = KSL_MUL(self->y, s);
+  const double y_2 = KSL_MUL(self->z, s);
+  const double y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -144,10 +148,10 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = self->x * up;
-  const double enlarged_1 = self->y * up;
-  const double enlarged_2 = self->z * up;
-  const double enlarged_3 = self->w * up;
+  const double enlarged_0 = KSL_MUL(self->x, up);
+  const double enlarged_1 = KSL_MUL(self->y, up);
+  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double enlarged_3 = KSL_MUL(self->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -155,35 +159,35 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -192,11 +196,11 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = self_0_new_of_quotient_0 * down, self_0_new_inverse = 1.0 / down,
-      self_0_new_back = self_0_new * self_0_new_inverse,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = self_0_new_rest * down,
+      self_0_new_small = KSL_MUL(self_0_new_rest, down),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -204,11 +208,11 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = self_1_new_of_quotient_1 * down,
-      self_1_new_back = self_1_new * self_0_new_inverse,
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
+      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = self_1_new_rest * down,
+      self_1_new_small = KSL_MUL(self_1_new_rest, down),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -216,11 +220,11 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = self_2_new_of_quotient_2 * down,
-      self_2_new_back = self_2_new * self_0_new_inverse,
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
+      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = self_2_new_rest * down,
+      self_2_new_small = KSL_MUL(self_2_new_rest, down),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -228,11 +232,11 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = self_3_new_of_quotient_3 * down,
-      self_3_new_back = self_3_new * self_0_new_inverse,
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
+      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = self_3_new_rest * down,
+      self_3_new_small = KSL_MUL(self_3_new_rest, down),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -263,28 +267,30 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = v->x * s;
-  const double y_1 = v->y * s;
-  const double y_2 = v->z * s;
-  const double y_3 = v->w * s;
+  const double y_0 = KSL_MUL(v->x, s);
+  const double y_1 = KSL_MUL(v->y, s);
+  const double y_2 = KSL_MUL(v->z, s);
+  const double y_3 = KSL_MUL(v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_c_right = n_c - n_a,
-      n_c_left = n_c - n_c_right, n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
+      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
       n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = y_2 * y_2, n_e = n_c + n_d,
+      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
       n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
       n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = y_3 * y_3,
+      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
       n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
       n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
       n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
       n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
       n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g), n_product = n * n,
-      n_product_error = ksl_product_error(n, n, n_product), n_rest = n_of_n_g - n_product,
-      n_exact = n_rest - n_product_error, n_residual = n_exact + n_of_n_g_lo, n_twice = n + n,
-      n_divisor = n == 0.0 ? 1.0 : n_twice, n_lo = n_residual / n_divisor;
+      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
+      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
+      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
+      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
+      n_lo = n_residual / n_divisor;
   const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
       divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
       divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
@@ -292,10 +298,10 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = v->x * up;
-  const double enlarged_1 = v->y * up;
-  const double enlarged_2 = v->z * up;
-  const double enlarged_3 = v->w * up;
+  const double enlarged_0 = KSL_MUL(v->x, up);
+  const double enlarged_1 = KSL_MUL(v->y, up);
+  const double enlarged_2 = KSL_MUL(v->z, up);
+  const double enlarged_3 = KSL_MUL(v->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
@@ -303,35 +309,35 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = enlarged_0 / quotient_0_of_divisor,
-      quotient_0_product = quotient_0 * quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
       quotient_0_rest = enlarged_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = quotient_0 * quotient_0_of_divisor_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
-      quotient_1_product = quotient_1 * quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
       quotient_1_rest = enlarged_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = quotient_1 * quotient_0_of_divisor_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
-      quotient_2_product = quotient_2 * quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
       quotient_2_rest = enlarged_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = quotient_2 * quotient_0_of_divisor_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
-      quotient_3_product = quotient_3 * quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
       quotient_3_rest = enlarged_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = quotient_3 * quotient_0_of_divisor_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double vo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
@@ -340,36 +346,37 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       vo_0_of_quotient_0_left_rest = quotient_0 - vo_0_of_quotient_0_left,
       vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right,
       vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest,
-      vo_0 = vo_0_of_quotient_0 * down, vo_0_inverse = 1.0 / down, vo_0_back = vo_0 * vo_0_inverse,
-      vo_0_lost = vo_0_of_quotient_0 - vo_0_back, vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo,
-      vo_0_small = vo_0_rest * down, vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+      vo_0 = KSL_MUL(vo_0_of_quotient_0, down), vo_0_inverse = 1.0 / down,
+      vo_0_back = KSL_MUL(vo_0, vo_0_inverse), vo_0_lost = vo_0_of_quotient_0 - vo_0_back,
+      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_small = KSL_MUL(vo_0_rest, down),
+      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
   const double vo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1,
       vo_1_of_quotient_1_left = vo_1_of_quotient_1 - vo_1_of_quotient_1_right,
       vo_1_of_quotient_1_left_rest = quotient_1 - vo_1_of_quotient_1_left,
       vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right,
       vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest,
-      vo_1 = vo_1_of_quotient_1 * down, vo_1_back = vo_1 * vo_0_inverse,
+      vo_1 = KSL_MUL(vo_1_of_quotient_1, down), vo_1_back = KSL_MUL(vo_1, vo_0_inverse),
       vo_1_lost = vo_1_of_quotient_1 - vo_1_back, vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo,
-      vo_1_small = vo_1_rest * down, vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
+      vo_1_small = KSL_MUL(vo_1_rest, down), vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
   const double vo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2,
       vo_2_of_quotient_2_left = vo_2_of_quotient_2 - vo_2_of_quotient_2_right,
       vo_2_of_quotient_2_left_rest = quotient_2 - vo_2_of_quotient_2_left,
       vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right,
       vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest,
-      vo_2 = vo_2_of_quotient_2 * down, vo_2_back = vo_2 * vo_0_inverse,
+      vo_2 = KSL_MUL(vo_2_of_quotient_2, down), vo_2_back = KSL_MUL(vo_2, vo_0_inverse),
       vo_2_lost = vo_2_of_quotient_2 - vo_2_back, vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo,
-      vo_2_small = vo_2_rest * down, vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
+      vo_2_small = KSL_MUL(vo_2_rest, down), vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
   const double vo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3,
       vo_3_of_quotient_3_left = vo_3_of_quotient_3 - vo_3_of_quotient_3_right,
       vo_3_of_quotient_3_left_rest = quotient_3 - vo_3_of_quotient_3_left,
       vo_3_of_quotient_3_right_rest = quotient_3_lo - vo_3_of_quotient_3_right,
       vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest,
-      vo_3 = vo_3_of_quotient_3 * down, vo_3_back = vo_3 * vo_0_inverse,
+      vo_3 = KSL_MUL(vo_3_of_quotient_3, down), vo_3_back = KSL_MUL(vo_3, vo_0_inverse),
       vo_3_lost = vo_3_of_quotient_3 - vo_3_back, vo_3_rest = vo_3_lost + vo_3_of_quotient_3_lo,
-      vo_3_small = vo_3_rest * down, vo_3_lo = vo_3_lost == 0.0 ? 0.0 : vo_3_small;
+      vo_3_small = KSL_MUL(vo_3_rest, down), vo_3_lo = vo_3_lost == 0.0 ? 0.0 : vo_3_small;
   const double vo_0_rounded = vo_0 + vo_0_lo,
       vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
   const double vo_1_rounded = vo_1 + vo_1_lo,
@@ -430,16 +437,17 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)v->x * s;
-  const double y_1 = (double)v->y * s;
-  const double y_2 = (double)v->z * s;
-  const double y_3 = (double)v->w * s;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double y_0 = KSL_MUL((double)v->x, s);
+  const double y_1 = KSL_MUL((double)v->y, s);
+  const double y_2 = KSL_MUL((double)v->z, s);
+  const double y_3 = KSL_MUL((double)v->w, s);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
-  const double norm = n * r;
+  const double norm = KSL_MUL(n, r);
   return (float)norm;
 }
 
@@ -457,27 +465,28 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)self->x * s;
-  const double y_1 = (double)self->y * s;
-  const double y_2 = (double)self->z * s;
-  const double y_3 = (double)self->w * s;
+  const double y_0 = KSL_MUL((double)self->x, s);
+  const double y_1 = KSL_MUL((double)self->y, s);
+  const double y_2 = KSL_MUL((double)self->z, s);
+  const double y_3 = KSL_MUL((double)self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)self->x * up;
-  const double enlarged_1 = (double)self->y * up;
-  const double enlarged_2 = (double)self->z * up;
-  const double enlarged_3 = (double)self->w * up;
+  const double enlarged_0 = KSL_MUL((double)self->x, up);
+  const double enlarged_1 = KSL_MUL((double)self->y, up);
+  const double enlarged_2 = KSL_MUL((double)self->z, up);
+  const double enlarged_3 = KSL_MUL((double)self->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double self_0_new = quotient_0 * down;
-  const double self_1_new = quotient_1 * down;
-  const double self_2_new = quotient_2 * down;
-  const double self_3_new = quotient_3 * down;
+  const double self_0_new = KSL_MUL(quotient_0, down);
+  const double self_1_new = KSL_MUL(quotient_1, down);
+  const double self_2_new = KSL_MUL(quotient_2, down);
+  const double self_3_new = KSL_MUL(quotient_3, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -498,27 +507,28 @@ static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = (double)v->x * s;
-  const double y_1 = (double)v->y * s;
-  const double y_2 = (double)v->z * s;
-  const double y_3 = (double)v->w * s;
+  const double y_0 = KSL_MUL((double)v->x, s);
+  const double y_1 = KSL_MUL((double)v->y, s);
+  const double y_2 = KSL_MUL((double)v->z, s);
+  const double y_3 = KSL_MUL((double)v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = y_0 * y_0, n_b = y_1 * y_1, n_c = n_a + n_b, n_d = y_2 * y_2, n_e = n_c + n_d,
-      n_f = y_3 * y_3, n_g = n_e + n_f, n = sqrt(n_g);
+  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
+      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = (double)v->x * up;
-  const double enlarged_1 = (double)v->y * up;
-  const double enlarged_2 = (double)v->z * up;
-  const double enlarged_3 = (double)v->w * up;
+  const double enlarged_0 = KSL_MUL((double)v->x, up);
+  const double enlarged_1 = KSL_MUL((double)v->y, up);
+  const double enlarged_2 = KSL_MUL((double)v->z, up);
+  const double enlarged_3 = KSL_MUL((double)v->w, up);
   const double quotient_0 = enlarged_0 / divisor;
   const double quotient_1 = enlarged_1 / divisor;
   const double quotient_2 = enlarged_2 / divisor;
   const double quotient_3 = enlarged_3 / divisor;
-  const double vo_0 = quotient_0 * down;
-  const double vo_1 = quotient_1 * down;
-  const double vo_2 = quotient_2 * down;
-  const double vo_3 = quotient_3 * down;
+  const double vo_0 = KSL_MUL(quotient_0, down);
+  const double vo_1 = KSL_MUL(quotient_1, down);
+  const double vo_2 = KSL_MUL(quotient_2, down);
+  const double vo_3 = KSL_MUL(quotient_3, down);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

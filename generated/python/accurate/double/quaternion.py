@@ -30,6 +30,39 @@ def quaternion_scale(self, a):
     return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded)
 
 
+@kernel("(),(4),(4)->(4)")
+def axpy_qq(a, x, y):
+    """y = a x + y.
+
+    (),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.
+    4 mul, 24 add, 4 product rest.  Error <= u |result| + 3 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    x_0, x_1, x_2, x_3 = x
+    y_0, y_1, y_2, y_3 = y
+    y_0_new_a = a * x_0
+    y_0_new = y_0_new_a + y_0
+    y_0_new_right = y_0_new - y_0_new_a
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
+    y_1_new_a = a * x_1
+    y_1_new = y_1_new_a + y_1
+    y_1_new_right = y_1_new - y_1_new_a
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
+    y_2_new_a = a * x_2
+    y_2_new = y_2_new_a + y_2
+    y_2_new_right = y_2_new - y_2_new_a
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
+    y_3_new_a = a * x_3
+    y_3_new = y_3_new_a + y_3
+    y_3_new_right = y_3_new - y_3_new_a
+    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
+    y_0_new_rounded = y_0_new + y_0_new_lo
+    y_1_new_rounded = y_1_new + y_1_new_lo
+    y_2_new_rounded = y_2_new + y_2_new_lo
+    y_3_new_rounded = y_3_new + y_3_new_lo
+    return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded)
+
+
 @kernel("(4)->()")
 def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
@@ -366,257 +399,8 @@ def quaternion_normalized(q):
         where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3))
 
 
-@kernel("(4),(4)->(4)")
-def product_qq(q1, q2):
-    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2).
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_0 * q2_3
-    qo_0b = q1_1 * q2_2
-    qo_0c = q1_2 * q2_1
-    qo_0d = qo_0b - qo_0c
-    qo_0d_right = qo_0b - qo_0d
-    qo_0d_left_rest = product_rest(q1_1, q2_2, qo_0b, qo_0d + qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest - product_rest(q1_2, q2_1, qo_0c, qo_0d_right)
-    qo_0e = qo_0a + qo_0d
-    qo_0e_right = qo_0e - qo_0a
-    qo_0e_lo1 = product_rest(q1_0, q2_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
-    qo_0e_lo = qo_0e_lo1 + qo_0d_lo
-    qo_0f = q1_3 * q2_0
-    qo_0 = qo_0e + qo_0f
-    qo_0_right = qo_0 - qo_0e
-    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1_3, q2_0, qo_0f, qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0e_lo
-    qo_1a = q1_2 * q2_0
-    qo_1b = q1_0 * q2_2
-    qo_1c = qo_1a - qo_1b
-    qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_2, q2_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1_0, q2_2, qo_1b, qo_1c_right)
-    qo_1d = q1_1 * q2_3
-    qo_1e = qo_1c + qo_1d
-    qo_1e_right = qo_1e - qo_1c
-    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1_1, q2_3, qo_1d, qo_1e_right)
-    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
-    qo_1f = q1_3 * q2_1
-    qo_1 = qo_1e + qo_1f
-    qo_1_right = qo_1 - qo_1e
-    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1_3, q2_1, qo_1f, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1e_lo
-    qo_2a = q1_0 * q2_1
-    qo_2b = q1_1 * q2_0
-    qo_2c = qo_2a - qo_2b
-    qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_0, q2_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1_1, q2_0, qo_2b, qo_2c_right)
-    qo_2d = q1_2 * q2_3
-    qo_2e = qo_2c + qo_2d
-    qo_2e_right = qo_2e - qo_2c
-    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1_2, q2_3, qo_2d, qo_2e_right)
-    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
-    qo_2f = q1_3 * q2_2
-    qo_2 = qo_2e + qo_2f
-    qo_2_right = qo_2 - qo_2e
-    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_3, q2_2, qo_2f, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2e_lo
-    qo_3a = q1_3 * q2_3
-    qo_3b = q1_0 * q2_0
-    qo_3c = q1_1 * q2_1
-    qo_3d = qo_3b + qo_3c
-    qo_3d_right = qo_3d - qo_3b
-    qo_3d_left_rest = product_rest(q1_0, q2_0, qo_3b, qo_3d - qo_3d_right)
-    qo_3d_lo = qo_3d_left_rest + product_rest(q1_1, q2_1, qo_3c, qo_3d_right)
-    qo_3e = q1_2 * q2_2
-    qo_3f = qo_3d + qo_3e
-    qo_3f_right = qo_3f - qo_3d
-    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1_2, q2_2, qo_3e, qo_3f_right)
-    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
-    qo_3 = qo_3a - qo_3f
-    qo_3_right = qo_3a - qo_3
-    qo_3_lo1 = product_rest(q1_3, q2_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
-    qo_3_lo = qo_3_lo1 - qo_3f_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
-    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
-
-
-@kernel("(4),(4)->(4)")
-def product_qconjq(q1, q2):
-    """qo = q1* q2, q1* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_3 * q2_0
-    qo_0b = q1_0 * q2_3
-    qo_0c = qo_0a - qo_0b
-    qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(q1_3, q2_0, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1_0, q2_3, qo_0b, qo_0c_right)
-    qo_0d = q1_2 * q2_1
-    qo_0e = q1_1 * q2_2
-    qo_0f = qo_0d - qo_0e
-    qo_0f_right = qo_0d - qo_0f
-    qo_0f_left_rest = product_rest(q1_2, q2_1, qo_0d, qo_0f + qo_0f_right)
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1_1, q2_2, qo_0e, qo_0f_right)
-    qo_0 = qo_0c + qo_0f
-    qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
-    qo_0_lo = qo_0_lo2 + qo_0c_lo
-    qo_1a = q1_0 * q2_2
-    qo_1b = q1_2 * q2_0
-    qo_1c = qo_1a - qo_1b
-    qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_0, q2_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1_2, q2_0, qo_1b, qo_1c_right)
-    qo_1d = q1_3 * q2_1
-    qo_1e = q1_1 * q2_3
-    qo_1f = qo_1d - qo_1e
-    qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1_3, q2_1, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1_1, q2_3, qo_1e, qo_1f_right)
-    qo_1 = qo_1c + qo_1f
-    qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
-    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
-    qo_1_lo = qo_1_lo2 + qo_1c_lo
-    qo_2a = q1_1 * q2_0
-    qo_2b = q1_0 * q2_1
-    qo_2c = qo_2a - qo_2b
-    qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_1, q2_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_1, qo_2b, qo_2c_right)
-    qo_2d = q1_3 * q2_2
-    qo_2e = q1_2 * q2_3
-    qo_2f = qo_2d - qo_2e
-    qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1_3, q2_2, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1_2, q2_3, qo_2e, qo_2f_right)
-    qo_2 = qo_2c + qo_2f
-    qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
-    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
-    qo_2_lo = qo_2_lo2 + qo_2c_lo
-    qo_3a = q1_0 * q2_0
-    qo_3b = q1_1 * q2_1
-    qo_3c = qo_3a + qo_3b
-    qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(q1_0, q2_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(q1_1, q2_1, qo_3b, qo_3c_right)
-    qo_3d = q1_2 * q2_2
-    qo_3e = qo_3c + qo_3d
-    qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1_2, q2_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
-    qo_3f = q1_3 * q2_3
-    qo_3 = qo_3e + qo_3f
-    qo_3_right = qo_3 - qo_3e
-    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_3, qo_3f, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
-    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
-
-
-@kernel("(4),(4)->(4)")
-def product_qqconj(q1, q2):
-    """qo = q1 q2*, q2* the conjugate.
-
-    (4),(4)->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
-    the |terms| of the expanded formula; barring over- and underflow.
-    """
-    q1_0, q1_1, q1_2, q1_3 = q1
-    q2_0, q2_1, q2_2, q2_3 = q2
-    qo_0a = q1_0 * q2_3
-    qo_0b = q1_3 * q2_0
-    qo_0c = qo_0a - qo_0b
-    qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(q1_0, q2_3, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1_3, q2_0, qo_0b, qo_0c_right)
-    qo_0d = q1_2 * q2_1
-    qo_0e = q1_1 * q2_2
-    qo_0f = qo_0d - qo_0e
-    qo_0f_right = qo_0d - qo_0f
-    qo_0f_left_rest = product_rest(q1_2, q2_1, qo_0d, qo_0f + qo_0f_right)
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1_1, q2_2, qo_0e, qo_0f_right)
-    qo_0 = qo_0c + qo_0f
-    qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
-    qo_0_lo = qo_0_lo2 + qo_0c_lo
-    qo_1a = q1_0 * q2_2
-    qo_1b = q1_2 * q2_0
-    qo_1c = qo_1a - qo_1b
-    qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_0, q2_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1_2, q2_0, qo_1b, qo_1c_right)
-    qo_1d = q1_1 * q2_3
-    qo_1e = q1_3 * q2_1
-    qo_1f = qo_1d - qo_1e
-    qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1_1, q2_3, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1_3, q2_1, qo_1e, qo_1f_right)
-    qo_1 = qo_1c + qo_1f
-    qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
-    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
-    qo_1_lo = qo_1_lo2 + qo_1c_lo
-    qo_2a = q1_1 * q2_0
-    qo_2b = q1_0 * q2_1
-    qo_2c = qo_2a - qo_2b
-    qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_1, q2_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1_0, q2_1, qo_2b, qo_2c_right)
-    qo_2d = q1_2 * q2_3
-    qo_2e = q1_3 * q2_2
-    qo_2f = qo_2d - qo_2e
-    qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1_2, q2_3, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1_3, q2_2, qo_2e, qo_2f_right)
-    qo_2 = qo_2c + qo_2f
-    qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
-    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
-    qo_2_lo = qo_2_lo2 + qo_2c_lo
-    qo_3a = q1_0 * q2_0
-    qo_3b = q1_1 * q2_1
-    qo_3c = qo_3a + qo_3b
-    qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(q1_0, q2_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(q1_1, q2_1, qo_3b, qo_3c_right)
-    qo_3d = q1_2 * q2_2
-    qo_3e = qo_3c + qo_3d
-    qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1_2, q2_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
-    qo_3f = q1_3 * q2_3
-    qo_3 = qo_3e + qo_3f
-    qo_3_right = qo_3 - qo_3e
-    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1_3, q2_3, qo_3f, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
-    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
-
-
 @kernel("(4),(3)->(3)")
-def product_qv(q, v):
+def rotate_qv(q, v):
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -701,7 +485,7 @@ def product_qv(q, v):
 
 
 @kernel("(4),(3)->(3)")
-def product_qconjv(q, v):
+def rotate_qconjv(q, v):
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -785,12 +569,1933 @@ def product_qconjv(q, v):
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
+@kernel("(4),(4)->(4)")
+def quaternion_product_qq(q1i, q2i):
+    """qo = q1i q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0a = q1i_0 * q2i_3
+    qo_0b = q1i_1 * q2i_2
+    qo_0c = q1i_2 * q2i_1
+    qo_0d = qo_0b - qo_0c
+    qo_0d_right = qo_0b - qo_0d
+    qo_0d_left_rest = product_rest(q1i_1, q2i_2, qo_0b, qo_0d + qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest - product_rest(q1i_2, q2i_1, qo_0c, qo_0d_right)
+    qo_0e = qo_0a + qo_0d
+    qo_0e_right = qo_0e - qo_0a
+    qo_0e_lo1 = product_rest(q1i_0, q2i_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+    qo_0e_lo = qo_0e_lo1 + qo_0d_lo
+    qo_0f = q1i_3 * q2i_0
+    qo_0 = qo_0e + qo_0f
+    qo_0_right = qo_0 - qo_0e
+    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1i_3, q2i_0, qo_0f, qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0e_lo
+    qo_1a = q1i_2 * q2i_0
+    qo_1b = q1i_0 * q2i_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right)
+    qo_1d = q1i_1 * q2i_3
+    qo_1e = qo_1c + qo_1d
+    qo_1e_right = qo_1e - qo_1c
+    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
+    qo_1f = q1i_3 * q2i_1
+    qo_1 = qo_1e + qo_1f
+    qo_1_right = qo_1 - qo_1e
+    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1i_3, q2i_1, qo_1f, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1e_lo
+    qo_2a = q1i_0 * q2i_1
+    qo_2b = q1i_1 * q2i_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right)
+    qo_2d = q1i_2 * q2i_3
+    qo_2e = qo_2c + qo_2d
+    qo_2e_right = qo_2e - qo_2c
+    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
+    qo_2f = q1i_3 * q2i_2
+    qo_2 = qo_2e + qo_2f
+    qo_2_right = qo_2 - qo_2e
+    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1i_3, q2i_2, qo_2f, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2e_lo
+    qo_3a = q1i_3 * q2i_3
+    qo_3b = q1i_0 * q2i_0
+    qo_3c = q1i_1 * q2i_1
+    qo_3d = qo_3b + qo_3c
+    qo_3d_right = qo_3d - qo_3b
+    qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
+    qo_3d_lo = qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right)
+    qo_3e = q1i_2 * q2i_2
+    qo_3f = qo_3d + qo_3e
+    qo_3f_right = qo_3f - qo_3d
+    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
+    qo_3 = qo_3a - qo_3f
+    qo_3_right = qo_3a - qo_3
+    qo_3_lo1 = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
+    qo_3_lo = qo_3_lo1 - qo_3f_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qqconj(q1i, q2i):
+    """qo = q1i q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0a = q1i_0 * q2i_3
+    qo_0b = q1i_3 * q2i_0
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(q1i_0, q2i_3, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_3, q2i_0, qo_0b, qo_0c_right)
+    qo_0d = q1i_2 * q2i_1
+    qo_0e = q1i_1 * q2i_2
+    qo_0f = qo_0d - qo_0e
+    qo_0f_right = qo_0d - qo_0f
+    qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
+    qo_0 = qo_0c + qo_0f
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
+    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
+    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_1a = q1i_0 * q2i_2
+    qo_1b = q1i_2 * q2i_0
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
+    qo_1d = q1i_1 * q2i_3
+    qo_1e = q1i_3 * q2i_1
+    qo_1f = qo_1d - qo_1e
+    qo_1f_right = qo_1d - qo_1f
+    qo_1f_left_rest = product_rest(q1i_1, q2i_3, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_3, q2i_1, qo_1e, qo_1f_right)
+    qo_1 = qo_1c + qo_1f
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
+    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
+    qo_1_lo = qo_1_lo2 + qo_1c_lo
+    qo_2a = q1i_1 * q2i_0
+    qo_2b = q1i_0 * q2i_1
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
+    qo_2d = q1i_2 * q2i_3
+    qo_2e = q1i_3 * q2i_2
+    qo_2f = qo_2d - qo_2e
+    qo_2f_right = qo_2d - qo_2f
+    qo_2f_left_rest = product_rest(q1i_2, q2i_3, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_3, q2i_2, qo_2e, qo_2f_right)
+    qo_2 = qo_2c + qo_2f
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
+    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
+    qo_2_lo = qo_2_lo2 + qo_2c_lo
+    qo_3a = q1i_0 * q2i_0
+    qo_3b = q1i_1 * q2i_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right)
+    qo_3d = q1i_2 * q2i_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3f = q1i_3 * q2i_3
+    qo_3 = qo_3e + qo_3f
+    qo_3_right = qo_3 - qo_3e
+    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3e_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qconjq(q1i, q2i):
+    """qo = q1i* q2i.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + (v: 12, w: 17) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0a = q1i_3 * q2i_0
+    qo_0b = q1i_0 * q2i_3
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(q1i_3, q2i_0, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_0, q2i_3, qo_0b, qo_0c_right)
+    qo_0d = q1i_2 * q2i_1
+    qo_0e = q1i_1 * q2i_2
+    qo_0f = qo_0d - qo_0e
+    qo_0f_right = qo_0d - qo_0f
+    qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
+    qo_0 = qo_0c + qo_0f
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
+    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
+    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_1a = q1i_0 * q2i_2
+    qo_1b = q1i_2 * q2i_0
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
+    qo_1d = q1i_3 * q2i_1
+    qo_1e = q1i_1 * q2i_3
+    qo_1f = qo_1d - qo_1e
+    qo_1f_right = qo_1d - qo_1f
+    qo_1f_left_rest = product_rest(q1i_3, q2i_1, qo_1d, qo_1f + qo_1f_right)
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_1, q2i_3, qo_1e, qo_1f_right)
+    qo_1 = qo_1c + qo_1f
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
+    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
+    qo_1_lo = qo_1_lo2 + qo_1c_lo
+    qo_2a = q1i_1 * q2i_0
+    qo_2b = q1i_0 * q2i_1
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
+    qo_2d = q1i_3 * q2i_2
+    qo_2e = q1i_2 * q2i_3
+    qo_2f = qo_2d - qo_2e
+    qo_2f_right = qo_2d - qo_2f
+    qo_2f_left_rest = product_rest(q1i_3, q2i_2, qo_2d, qo_2f + qo_2f_right)
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_2, q2i_3, qo_2e, qo_2f_right)
+    qo_2 = qo_2c + qo_2f
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
+    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
+    qo_2_lo = qo_2_lo2 + qo_2c_lo
+    qo_3a = q1i_0 * q2i_0
+    qo_3b = q1i_1 * q2i_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right)
+    qo_3d = q1i_2 * q2i_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3f = q1i_3 * q2i_3
+    qo_3 = qo_3e + qo_3f
+    qo_3_right = qo_3 - qo_3e
+    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3e_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(4)->(4)")
+def quaternion_product_qconjqconj(q1i, q2i):
+    """qo = q1i* q2i*.
+
+    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
+    16 mul, 68 add, 16 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    qo_0a = q1i_1 * q2i_2
+    qo_0b = q1i_2 * q2i_1
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(q1i_1, q2i_2, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_2, q2i_1, qo_0b, qo_0c_right)
+    qo_0d = q1i_0 * q2i_3
+    qo_0e = qo_0c - qo_0d
+    qo_0e_right = qo_0c - qo_0e
+    qo_0e_lo1 = qo_0c - (qo_0e + qo_0e_right) - product_rest(q1i_0, q2i_3, qo_0d, qo_0e_right)
+    qo_0e_lo = qo_0e_lo1 + qo_0c_lo
+    qo_0f = q1i_3 * q2i_0
+    qo_0 = qo_0e - qo_0f
+    qo_0_right = qo_0e - qo_0
+    qo_0_lo1 = qo_0e - (qo_0 + qo_0_right) - product_rest(q1i_3, q2i_0, qo_0f, qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0e_lo
+    qo_1a = q1i_2 * q2i_0
+    qo_1b = q1i_0 * q2i_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right)
+    qo_1d = q1i_1 * q2i_3
+    qo_1e = qo_1c - qo_1d
+    qo_1e_right = qo_1c - qo_1e
+    qo_1e_lo1 = qo_1c - (qo_1e + qo_1e_right) - product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
+    qo_1f = q1i_3 * q2i_1
+    qo_1 = qo_1e - qo_1f
+    qo_1_right = qo_1e - qo_1
+    qo_1_lo1 = qo_1e - (qo_1 + qo_1_right) - product_rest(q1i_3, q2i_1, qo_1f, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1e_lo
+    qo_2a = q1i_0 * q2i_1
+    qo_2b = q1i_1 * q2i_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right)
+    qo_2d = q1i_2 * q2i_3
+    qo_2e = qo_2c - qo_2d
+    qo_2e_right = qo_2c - qo_2e
+    qo_2e_lo1 = qo_2c - (qo_2e + qo_2e_right) - product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
+    qo_2f = q1i_3 * q2i_2
+    qo_2 = qo_2e - qo_2f
+    qo_2_right = qo_2e - qo_2
+    qo_2_lo1 = qo_2e - (qo_2 + qo_2_right) - product_rest(q1i_3, q2i_2, qo_2f, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2e_lo
+    qo_3a = q1i_3 * q2i_3
+    qo_3b = q1i_0 * q2i_0
+    qo_3c = q1i_1 * q2i_1
+    qo_3d = qo_3b + qo_3c
+    qo_3d_right = qo_3d - qo_3b
+    qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
+    qo_3d_lo = qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right)
+    qo_3e = q1i_2 * q2i_2
+    qo_3f = qo_3d + qo_3e
+    qo_3f_right = qo_3f - qo_3d
+    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
+    qo_3 = qo_3a - qo_3f
+    qo_3_right = qo_3a - qo_3
+    qo_3_lo1 = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
+    qo_3_lo = qo_3_lo1 - qo_3f_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxq(dci, qi):
+    """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_3
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_1 * qi_1
+    qo_1b = dci_0 * qi_2
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_2, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_1
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxqconj(dci, qi):
+    """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_3
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_2
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_1
+    qo_2b = dci_1 * qi_2
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = dci_0 * qi_0
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxconjq(dci, qi):
+    """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_1 * qi_0
+    qo_0b = dci_0 * qi_3
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_3, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_2
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_1 * qi_2
+    qo_2b = dci_0 * qi_1
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_1, qo_2b, qo_2_right)
+    qo_3a = dci_0 * qi_0
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qxconjqconj(dci, qi):
+    """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_3
+    qo_0b = dci_1 * qi_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = dci_0 * qi_2
+    qo_1b = dci_1 * qi_1
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = dci_0 * qi_1
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqx(qi, dci):
+    """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_3 * dci_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_2 * dci_0
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1_right)
+    qo_2a = qi_2 * dci_1
+    qo_2b = qi_1 * dci_0
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_1, dci_0, qo_2b, qo_2_right)
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_0 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqxconj(qi, dci):
+    """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_3 * dci_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_3, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_2 * dci_0
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_2, dci_0, qo_1b, qo_1_right)
+    qo_2a = qi_1 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right)
+    qo_3a = qi_0 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqx(qi, dci):
+    """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_3 * dci_0
+    qo_0b = qi_0 * dci_1
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_3, dci_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_2 * dci_0
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = qi_1 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
+    qo_3a = qi_0 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqxconj(qi, dci):
+    """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_3 * dci_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = qi_2 * dci_0
+    qo_1b = qi_1 * dci_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_2, dci_0, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
+    qo_2a = qi_1 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_0 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyq(dci, qi):
+    """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_2
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_3
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_1 * qi_2
+    qo_2b = dci_0 * qi_0
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_0, qo_2b, qo_2_right)
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_1
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyqconj(dci, qi):
+    """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_2
+    qo_0b = dci_1 * qi_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = dci_0 * qi_3
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_0
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_0 * qi_1
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyconjq(dci, qi):
+    """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_1 * qi_0
+    qo_0b = dci_0 * qi_2
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_2, qo_0b, qo_0_right)
+    qo_1a = dci_1 * qi_1
+    qo_1b = dci_0 * qi_3
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_3, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_0
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_0 * qi_1
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qyconjqconj(dci, qi):
+    """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_2
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_3
+    qo_1b = dci_1 * qi_1
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = dci_0 * qi_0
+    qo_2b = dci_1 * qi_2
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_1
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqy(qi, dci):
+    """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_2 * dci_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_2, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_3 * dci_0
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1_right)
+    qo_2a = qi_0 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right)
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_1 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqyconj(qi, dci):
+    """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_2 * dci_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_3 * dci_0
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_3, dci_0, qo_1b, qo_1_right)
+    qo_2a = qi_2 * dci_1
+    qo_2b = qi_0 * dci_0
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_0, dci_0, qo_2b, qo_2_right)
+    qo_3a = qi_1 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqy(qi, dci):
+    """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_2 * dci_0
+    qo_0b = qi_0 * dci_1
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_2, dci_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
+    qo_1a = qi_3 * dci_0
+    qo_1b = qi_1 * dci_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_3, dci_0, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
+    qo_2a = qi_0 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = qi_1 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqyconj(qi, dci):
+    """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_2 * dci_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_3 * dci_0
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = qi_0 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_1 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzq(dci, qi):
+    """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_1 * qi_0
+    qo_0b = dci_0 * qi_1
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_1, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_0
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_3
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_2
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzqconj(dci, qi):
+    """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_1
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_0 * qi_0
+    qo_1b = dci_1 * qi_1
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = dci_0 * qi_3
+    qo_2b = dci_1 * qi_2
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
+    qo_3a = dci_0 * qi_2
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzconjq(dci, qi):
+    """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_1
+    qo_0b = dci_1 * qi_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
+    qo_1a = dci_1 * qi_1
+    qo_1b = dci_0 * qi_0
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_0, qo_1b, qo_1_right)
+    qo_2a = dci_1 * qi_2
+    qo_2b = dci_0 * qi_3
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_3, qo_2b, qo_2_right)
+    qo_3a = dci_0 * qi_2
+    qo_3b = dci_1 * qi_3
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(2),(4)->(4)")
+def quaternion_product_qzconjqconj(dci, qi):
+    """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
+
+    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    dci_0, dci_1 = dci
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = dci_0 * qi_1
+    qo_0b = dci_1 * qi_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = dci_0 * qi_0
+    qo_1b = dci_1 * qi_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
+    qo_2a = dci_0 * qi_3
+    qo_2b = dci_1 * qi_2
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = dci_1 * qi_3
+    qo_3b = dci_0 * qi_2
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqz(qi, dci):
+    """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_1 * dci_0
+    qo_0 = qo_0a + qo_0b
+    qo_0_right = qo_0 - qo_0a
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+    qo_0_lo = qo_0_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_1 * dci_1
+    qo_1b = qi_0 * dci_0
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_0, dci_0, qo_1b, qo_1_right)
+    qo_2a = qi_2 * dci_1
+    qo_2b = qi_3 * dci_0
+    qo_2 = qo_2a + qo_2b
+    qo_2_right = qo_2 - qo_2a
+    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 - qo_2_right)
+    qo_2_lo = qo_2_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2_right)
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_2 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qqzconj(qi, dci):
+    """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest.  Error <= u |result| + 6 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_1 * dci_0
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_1, dci_0, qo_0b, qo_0_right)
+    qo_1a = qi_0 * dci_0
+    qo_1b = qi_1 * dci_1
+    qo_1 = qo_1a + qo_1b
+    qo_1_right = qo_1 - qo_1a
+    qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 - qo_1_right)
+    qo_1_lo = qo_1_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1_right)
+    qo_2a = qi_2 * dci_1
+    qo_2b = qi_3 * dci_0
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_3, dci_0, qo_2b, qo_2_right)
+    qo_3a = qi_2 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqz(qi, dci):
+    """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 2 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_0 * dci_1
+    qo_0b = qi_1 * dci_0
+    qo_0c = qo_0a + qo_0b
+    qo_0c_right = qo_0c - qo_0a
+    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0c_right)
+    qo_0 = -qo_0c
+    qo_0_lo = -qo_0c_lo
+    qo_1a = qi_0 * dci_0
+    qo_1b = qi_1 * dci_1
+    qo_1 = qo_1a - qo_1b
+    qo_1_right = qo_1a - qo_1
+    qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 + qo_1_right)
+    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
+    qo_2a = qi_3 * dci_0
+    qo_2b = qi_2 * dci_1
+    qo_2 = qo_2a - qo_2b
+    qo_2_right = qo_2a - qo_2
+    qo_2_left_rest = product_rest(qi_3, dci_0, qo_2a, qo_2 + qo_2_right)
+    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
+    qo_3a = qi_2 * dci_0
+    qo_3b = qi_3 * dci_1
+    qo_3 = qo_3a + qo_3b
+    qo_3_right = qo_3 - qo_3a
+    qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
+    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(2)->(4)")
+def quaternion_product_qconjqzconj(qi, dci):
+    """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
+
+    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
+    8 mul, 20 add, 8 product rest, 4 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dci_0, dci_1 = dci
+    qo_0a = qi_1 * dci_0
+    qo_0b = qi_0 * dci_1
+    qo_0 = qo_0a - qo_0b
+    qo_0_right = qo_0a - qo_0
+    qo_0_left_rest = product_rest(qi_1, dci_0, qo_0a, qo_0 + qo_0_right)
+    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
+    qo_1a = qi_0 * dci_0
+    qo_1b = qi_1 * dci_1
+    qo_1c = qo_1a + qo_1b
+    qo_1c_right = qo_1c - qo_1a
+    qo_1c_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1c - qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1c_right)
+    qo_1 = -qo_1c
+    qo_1_lo = -qo_1c_lo
+    qo_2a = qi_2 * dci_1
+    qo_2b = qi_3 * dci_0
+    qo_2c = qo_2a + qo_2b
+    qo_2c_right = qo_2c - qo_2a
+    qo_2c_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2c - qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2c_right)
+    qo_2 = -qo_2c
+    qo_2_lo = -qo_2c_lo
+    qo_3a = qi_3 * dci_1
+    qo_3b = qi_2 * dci_0
+    qo_3 = qo_3a - qo_3b
+    qo_3_right = qo_3a - qo_3
+    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+    qo_3_lo = qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(3)->(4)")
+def quaternion_product_qv(qi, vi):
+    """qo = qi (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 44 add, 12 product rest, 2 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    vi_0, vi_1, vi_2 = vi
+    qo_0a = qi_1 * vi_2
+    qo_0b = qi_2 * vi_1
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(qi_1, vi_2, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(qi_2, vi_1, qo_0b, qo_0c_right)
+    qo_0d = qi_3 * vi_0
+    qo_0 = qo_0c + qo_0d
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0c_lo
+    qo_1a = qi_2 * vi_0
+    qo_1b = qi_0 * vi_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(qi_2, vi_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(qi_0, vi_2, qo_1b, qo_1c_right)
+    qo_1d = qi_3 * vi_1
+    qo_1 = qo_1c + qo_1d
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1c_lo
+    qo_2a = qi_0 * vi_1
+    qo_2b = qi_1 * vi_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(qi_0, vi_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(qi_1, vi_0, qo_2b, qo_2c_right)
+    qo_2d = qi_3 * vi_2
+    qo_2 = qo_2c + qo_2d
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2c_lo
+    qo_3a = qi_0 * vi_0
+    qo_3b = qi_1 * vi_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)
+    qo_3d = qi_2 * vi_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(qi_2, vi_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3 = -qo_3e
+    qo_3_lo = -qo_3e_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(3)->(4)")
+def quaternion_product_qconjv(qi, vi):
+    """qo = qi* (vi; 0).
+
+    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
+    12 mul, 44 add, 12 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    qi_0, qi_1, qi_2, qi_3 = qi
+    vi_0, vi_1, vi_2 = vi
+    qo_0a = qi_2 * vi_1
+    qo_0b = qi_1 * vi_2
+    qo_0c = qo_0a - qo_0b
+    qo_0c_right = qo_0a - qo_0c
+    qo_0c_left_rest = product_rest(qi_2, vi_1, qo_0a, qo_0c + qo_0c_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(qi_1, vi_2, qo_0b, qo_0c_right)
+    qo_0d = qi_3 * vi_0
+    qo_0 = qo_0c + qo_0d
+    qo_0_right = qo_0 - qo_0c
+    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0c_lo
+    qo_1a = qi_0 * vi_2
+    qo_1b = qi_2 * vi_0
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(qi_0, vi_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(qi_2, vi_0, qo_1b, qo_1c_right)
+    qo_1d = qi_3 * vi_1
+    qo_1 = qo_1c + qo_1d
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1c_lo
+    qo_2a = qi_1 * vi_0
+    qo_2b = qi_0 * vi_1
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(qi_1, vi_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(qi_0, vi_1, qo_2b, qo_2c_right)
+    qo_2d = qi_3 * vi_2
+    qo_2 = qo_2c + qo_2d
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2c_lo
+    qo_3a = qi_0 * vi_0
+    qo_3b = qi_1 * vi_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)
+    qo_3d = qi_2 * vi_2
+    qo_3 = qo_3c + qo_3d
+    qo_3_right = qo_3 - qo_3c
+    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(qi_2, vi_2, qo_3d, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3c_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(3),(4)->(4)")
+def quaternion_product_vq(vi, qi):
+    """qo = (vi; 0) qi.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 44 add, 12 product rest, 2 neg.  Error <= u |result| + 11 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    vi_0, vi_1, vi_2 = vi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = vi_0 * qi_3
+    qo_0b = vi_1 * qi_2
+    qo_0c = vi_2 * qi_1
+    qo_0d = qo_0b - qo_0c
+    qo_0d_right = qo_0b - qo_0d
+    qo_0d_left_rest = product_rest(vi_1, qi_2, qo_0b, qo_0d + qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest - product_rest(vi_2, qi_1, qo_0c, qo_0d_right)
+    qo_0 = qo_0a + qo_0d
+    qo_0_right = qo_0 - qo_0a
+    qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0d_lo
+    qo_1a = vi_2 * qi_0
+    qo_1b = vi_0 * qi_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(vi_2, qi_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(vi_0, qi_2, qo_1b, qo_1c_right)
+    qo_1d = vi_1 * qi_3
+    qo_1 = qo_1c + qo_1d
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1c_lo
+    qo_2a = vi_0 * qi_1
+    qo_2b = vi_1 * qi_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(vi_0, qi_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(vi_1, qi_0, qo_2b, qo_2c_right)
+    qo_2d = vi_2 * qi_3
+    qo_2 = qo_2c + qo_2d
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2c_lo
+    qo_3a = vi_0 * qi_0
+    qo_3b = vi_1 * qi_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)
+    qo_3d = vi_2 * qi_2
+    qo_3e = qo_3c + qo_3d
+    qo_3e_right = qo_3e - qo_3c
+    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(vi_2, qi_2, qo_3d, qo_3e_right)
+    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
+    qo_3 = -qo_3e
+    qo_3_lo = -qo_3e_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(3),(4)->(4)")
+def quaternion_product_vqconj(vi, qi):
+    """qo = (vi; 0) qi*.
+
+    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
+    12 mul, 44 add, 12 product rest.  Error <= u |result| + 11 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    vi_0, vi_1, vi_2 = vi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qo_0a = vi_0 * qi_3
+    qo_0b = vi_2 * qi_1
+    qo_0c = vi_1 * qi_2
+    qo_0d = qo_0b - qo_0c
+    qo_0d_right = qo_0b - qo_0d
+    qo_0d_left_rest = product_rest(vi_2, qi_1, qo_0b, qo_0d + qo_0d_right)
+    qo_0d_lo = qo_0d_left_rest - product_rest(vi_1, qi_2, qo_0c, qo_0d_right)
+    qo_0 = qo_0a + qo_0d
+    qo_0_right = qo_0 - qo_0a
+    qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
+    qo_0_lo = qo_0_lo1 + qo_0d_lo
+    qo_1a = vi_0 * qi_2
+    qo_1b = vi_2 * qi_0
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(vi_0, qi_2, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(vi_2, qi_0, qo_1b, qo_1c_right)
+    qo_1d = vi_1 * qi_3
+    qo_1 = qo_1c + qo_1d
+    qo_1_right = qo_1 - qo_1c
+    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
+    qo_1_lo = qo_1_lo1 + qo_1c_lo
+    qo_2a = vi_1 * qi_0
+    qo_2b = vi_0 * qi_1
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(vi_1, qi_0, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(vi_0, qi_1, qo_2b, qo_2c_right)
+    qo_2d = vi_2 * qi_3
+    qo_2 = qo_2c + qo_2d
+    qo_2_right = qo_2 - qo_2c
+    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
+    qo_2_lo = qo_2_lo1 + qo_2c_lo
+    qo_3a = vi_0 * qi_0
+    qo_3b = vi_1 * qi_1
+    qo_3c = qo_3a + qo_3b
+    qo_3c_right = qo_3c - qo_3a
+    qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
+    qo_3c_lo = qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)
+    qo_3d = vi_2 * qi_2
+    qo_3 = qo_3c + qo_3d
+    qo_3_right = qo_3 - qo_3c
+    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(vi_2, qi_2, qo_3d, qo_3_right)
+    qo_3_lo = qo_3_lo1 + qo_3c_lo
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_rounded = qo_3 + qo_3_lo
+    return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
+
+
+@kernel("(4),(4)->()")
+def dot_qq(q1i, q2i):
+    """q1i·q2i.
+
+    (4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.
+    4 mul, 17 add, 4 product rest.  Error <= u |result| + 17 u^2 S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
+    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
+    dot_a = q1i_0 * q2i_0
+    dot_b = q1i_1 * q2i_1
+    dot_c = dot_a + dot_b
+    dot_c_right = dot_c - dot_a
+    dot_c_left_rest = product_rest(q1i_0, q2i_0, dot_a, dot_c - dot_c_right)
+    dot_c_lo = dot_c_left_rest + product_rest(q1i_1, q2i_1, dot_b, dot_c_right)
+    dot_d = q1i_2 * q2i_2
+    dot_e = dot_c + dot_d
+    dot_e_right = dot_e - dot_c
+    dot_e_lo1 = dot_c - (dot_e - dot_e_right) + product_rest(q1i_2, q2i_2, dot_d, dot_e_right)
+    dot_e_lo = dot_e_lo1 + dot_c_lo
+    dot_f = q1i_3 * q2i_3
+    dot = dot_e + dot_f
+    dot_right = dot - dot_e
+    dot_lo1 = dot_e - (dot - dot_right) + product_rest(q1i_3, q2i_3, dot_f, dot_right)
+    dot_lo = dot_lo1 + dot_e_lo
+    dot_rounded = dot + dot_lo
+    return dot_rounded
+
+
+@kernel("(3),(4)->(4)")
+def add_dpiToq(dpi, qi):
+    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    first order; not normalized.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 72 add, 12 product rest.  Error <= u |result| + 15 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    dpi_0, dpi_1, dpi_2 = dpi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qi_0_new_a = 0.5 * dpi_0
+    qi_0_new_b = qi_0_new_a * qi_3
+    qi_0_new_c = 0.5 * dpi_2
+    qi_0_new_d = qi_0_new_c * qi_1
+    qi_0_new_e = 0.5 * dpi_1
+    qi_0_new_f = qi_0_new_e * qi_2
+    qi_0_new_g = qi_0_new_d - qi_0_new_f
+    qi_0_new_g_right = qi_0_new_d - qi_0_new_g
+    qi_0_new_g_left_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_g + qi_0_new_g_right)
+    qi_0_new_g_right_rest = product_rest(qi_0_new_e, qi_2, qi_0_new_f, qi_0_new_g_right)
+    qi_0_new_g_lo = qi_0_new_g_left_rest - qi_0_new_g_right_rest
+    qi_0_new_h = qi_0_new_b + qi_0_new_g
+    qi_0_new_h_right = qi_0_new_h - qi_0_new_b
+    qi_0_new_h_left_rest = product_rest(qi_0_new_a, qi_3, qi_0_new_b, qi_0_new_h - qi_0_new_h_right)
+    qi_0_new_h_lo1 = qi_0_new_h_left_rest + (qi_0_new_g - qi_0_new_h_right)
+    qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_g_lo
+    qi_0_new = qi_0_new_h + qi_0
+    qi_0_new_right = qi_0_new - qi_0_new_h
+    qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
+    qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo
+    qi_1_new_a = qi_0_new_a * qi_2
+    qi_1_new_b = qi_0_new_c * qi_0
+    qi_1_new_c = qi_1_new_a - qi_1_new_b
+    qi_1_new_c_right = qi_1_new_a - qi_1_new_c
+    qi_1_new_c_left_rest = product_rest(qi_0_new_a, qi_2, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
+    qi_1_new_c_right_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_b, qi_1_new_c_right)
+    qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest
+    qi_1_new_d = qi_0_new_e * qi_3
+    qi_1_new_e = qi_1_new_c + qi_1_new_d
+    qi_1_new_e_right = qi_1_new_e - qi_1_new_c
+    qi_1_new_e_right_rest = product_rest(qi_0_new_e, qi_3, qi_1_new_d, qi_1_new_e_right)
+    qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e - qi_1_new_e_right) + qi_1_new_e_right_rest
+    qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo
+    qi_1_new = qi_1_new_e + qi_1
+    qi_1_new_right = qi_1_new - qi_1_new_e
+    qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
+    qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo
+    qi_2_new_a = qi_0_new_e * qi_0
+    qi_2_new_b = qi_0_new_a * qi_1
+    qi_2_new_c = qi_2_new_a - qi_2_new_b
+    qi_2_new_c_right = qi_2_new_a - qi_2_new_c
+    qi_2_new_c_left_rest = product_rest(qi_0_new_e, qi_0, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
+    qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_2_new_b, qi_2_new_c_right)
+    qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest
+    qi_2_new_d = qi_0_new_c * qi_3
+    qi_2_new_e = qi_2_new_c + qi_2_new_d
+    qi_2_new_e_right = qi_2_new_e - qi_2_new_c
+    qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
+    qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e - qi_2_new_e_right) + qi_2_new_e_right_rest
+    qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo
+    qi_2_new = qi_2_new_e + qi_2
+    qi_2_new_right = qi_2_new - qi_2_new_e
+    qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
+    qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo
+    qi_3_new_a = qi_0_new_a * qi_0
+    qi_3_new_b = qi_0_new_e * qi_1
+    qi_3_new_c = qi_3_new_a + qi_3_new_b
+    qi_3_new_c_right = qi_3_new_c - qi_3_new_a
+    qi_3_new_c_left_rest = product_rest(qi_0_new_a, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
+    qi_3_new_c_right_rest = product_rest(qi_0_new_e, qi_1, qi_3_new_b, qi_3_new_c_right)
+    qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest
+    qi_3_new_d = qi_0_new_c * qi_2
+    qi_3_new_e = qi_3_new_c + qi_3_new_d
+    qi_3_new_e_right = qi_3_new_e - qi_3_new_c
+    qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
+    qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
+    qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo
+    qi_3_new = qi_3 - qi_3_new_e
+    qi_3_new_right = qi_3 - qi_3_new
+    qi_3_new_lo1 = qi_3 - (qi_3_new + qi_3_new_right) - (qi_3_new_e - qi_3_new_right)
+    qi_3_new_lo = qi_3_new_lo1 - qi_3_new_e_lo
+    qi_0_new_rounded = qi_0_new + qi_0_new_lo
+    qi_1_new_rounded = qi_1_new + qi_1_new_lo
+    qi_2_new_rounded = qi_2_new + qi_2_new_lo
+    qi_3_new_rounded = qi_3_new + qi_3_new_lo
+    return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
+
+
+@kernel("(3),(4)->(4)")
+def subtract_dpiFromq(dpi, qi):
+    """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
+
+    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
+    15 mul, 72 add, 12 product rest.  Error <= u |result| + 15 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    dpi_0, dpi_1, dpi_2 = dpi
+    qi_0, qi_1, qi_2, qi_3 = qi
+    qi_0_new_a = 0.5 * dpi_1
+    qi_0_new_b = qi_0_new_a * qi_2
+    qi_0_new_c = 0.5 * dpi_2
+    qi_0_new_d = qi_0_new_c * qi_1
+    qi_0_new_e = qi_0_new_b - qi_0_new_d
+    qi_0_new_e_right = qi_0_new_b - qi_0_new_e
+    qi_0_new_e_left_rest = product_rest(qi_0_new_a, qi_2, qi_0_new_b, qi_0_new_e + qi_0_new_e_right)
+    qi_0_new_e_right_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_e_right)
+    qi_0_new_e_lo = qi_0_new_e_left_rest - qi_0_new_e_right_rest
+    qi_0_new_f = 0.5 * dpi_0
+    qi_0_new_g = qi_0_new_f * qi_3
+    qi_0_new_h = qi_0_new_e - qi_0_new_g
+    qi_0_new_h_right = qi_0_new_e - qi_0_new_h
+    qi_0_new_h_right_rest = product_rest(qi_0_new_f, qi_3, qi_0_new_g, qi_0_new_h_right)
+    qi_0_new_h_lo1 = qi_0_new_e - (qi_0_new_h + qi_0_new_h_right) - qi_0_new_h_right_rest
+    qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_e_lo
+    qi_0_new = qi_0_new_h + qi_0
+    qi_0_new_right = qi_0_new - qi_0_new_h
+    qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
+    qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo
+    qi_1_new_a = qi_0_new_c * qi_0
+    qi_1_new_b = qi_0_new_f * qi_2
+    qi_1_new_c = qi_1_new_a - qi_1_new_b
+    qi_1_new_c_right = qi_1_new_a - qi_1_new_c
+    qi_1_new_c_left_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
+    qi_1_new_c_right_rest = product_rest(qi_0_new_f, qi_2, qi_1_new_b, qi_1_new_c_right)
+    qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest
+    qi_1_new_d = qi_0_new_a * qi_3
+    qi_1_new_e = qi_1_new_c - qi_1_new_d
+    qi_1_new_e_right = qi_1_new_c - qi_1_new_e
+    qi_1_new_e_right_rest = product_rest(qi_0_new_a, qi_3, qi_1_new_d, qi_1_new_e_right)
+    qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e + qi_1_new_e_right) - qi_1_new_e_right_rest
+    qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo
+    qi_1_new = qi_1_new_e + qi_1
+    qi_1_new_right = qi_1_new - qi_1_new_e
+    qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
+    qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo
+    qi_2_new_a = qi_0_new_f * qi_1
+    qi_2_new_b = qi_0_new_a * qi_0
+    qi_2_new_c = qi_2_new_a - qi_2_new_b
+    qi_2_new_c_right = qi_2_new_a - qi_2_new_c
+    qi_2_new_c_left_rest = product_rest(qi_0_new_f, qi_1, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
+    qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_0, qi_2_new_b, qi_2_new_c_right)
+    qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest
+    qi_2_new_d = qi_0_new_c * qi_3
+    qi_2_new_e = qi_2_new_c - qi_2_new_d
+    qi_2_new_e_right = qi_2_new_c - qi_2_new_e
+    qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
+    qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e + qi_2_new_e_right) - qi_2_new_e_right_rest
+    qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo
+    qi_2_new = qi_2_new_e + qi_2
+    qi_2_new_right = qi_2_new - qi_2_new_e
+    qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
+    qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo
+    qi_3_new_a = qi_0_new_f * qi_0
+    qi_3_new_b = qi_0_new_a * qi_1
+    qi_3_new_c = qi_3_new_a + qi_3_new_b
+    qi_3_new_c_right = qi_3_new_c - qi_3_new_a
+    qi_3_new_c_left_rest = product_rest(qi_0_new_f, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
+    qi_3_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_3_new_b, qi_3_new_c_right)
+    qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest
+    qi_3_new_d = qi_0_new_c * qi_2
+    qi_3_new_e = qi_3_new_c + qi_3_new_d
+    qi_3_new_e_right = qi_3_new_e - qi_3_new_c
+    qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
+    qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
+    qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo
+    qi_3_new = qi_3_new_e + qi_3
+    qi_3_new_right = qi_3_new - qi_3_new_e
+    qi_3_new_lo1 = qi_3_new_e - (qi_3_new - qi_3_new_right) + (qi_3 - qi_3_new_right)
+    qi_3_new_lo = qi_3_new_lo1 + qi_3_new_e_lo
+    qi_0_new_rounded = qi_0_new + qi_0_new_lo
+    qi_1_new_rounded = qi_1_new + qi_1_new_lo
+    qi_2_new_rounded = qi_2_new + qi_2_new_lo
+    qi_3_new_rounded = qi_3_new + qi_3_new_lo
+    return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
+
+
+@kernel("(3),(4)->(4)")
+def omega_to_dquaternion(w, qi):
+    """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+    reference frame, rad/s, and what draws its norm to 1.
+
+    (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
+    27 mul, 101 add, 20 product rest.  Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of
+    the |terms| of the expanded formula; barring over- and underflow.
+    """
+    w_0, w_1, w_2 = w
+    qi_0, qi_1, qi_2, qi_3 = qi
+    dqo_0a = 0.5 * w_0
+    dqo_0b = dqo_0a * qi_3
+    dqo_0c = 0.5 * w_1
+    dqo_0d = dqo_0c * qi_2
+    dqo_0e = 0.5 * w_2
+    dqo_0f = dqo_0e * qi_1
+    dqo_0g = dqo_0d - dqo_0f
+    dqo_0g_right = dqo_0d - dqo_0g
+    dqo_0g_left_rest = product_rest(dqo_0c, qi_2, dqo_0d, dqo_0g + dqo_0g_right)
+    dqo_0g_lo = dqo_0g_left_rest - product_rest(dqo_0e, qi_1, dqo_0f, dqo_0g_right)
+    dqo_0h = dqo_0b + dqo_0g
+    dqo_0h_right = dqo_0h - dqo_0b
+    dqo_0h_lo1 = product_rest(dqo_0a, qi_3, dqo_0b, dqo_0h - dqo_0h_right) + (dqo_0g - dqo_0h_right)
+    dqo_0h_lo = dqo_0h_lo1 + dqo_0g_lo
+    dqo_0i = qi_0 * qi_0
+    dqo_0j = 1 - dqo_0i
+    dqo_0j_right = 1 - dqo_0j
+    dqo_0j_lo = 1 - (dqo_0j + dqo_0j_right) - product_rest(qi_0, qi_0, dqo_0i, dqo_0j_right)
+    dqo_0k = qi_1 * qi_1
+    dqo_0l = dqo_0j - dqo_0k
+    dqo_0l_right = dqo_0j - dqo_0l
+    dqo_0l_lo1 = dqo_0j - (dqo_0l + dqo_0l_right) - product_rest(qi_1, qi_1, dqo_0k, dqo_0l_right)
+    dqo_0l_lo = dqo_0l_lo1 + dqo_0j_lo
+    dqo_0m = qi_2 * qi_2
+    dqo_0n = dqo_0l - dqo_0m
+    dqo_0n_right = dqo_0l - dqo_0n
+    dqo_0n_lo1 = dqo_0l - (dqo_0n + dqo_0n_right) - product_rest(qi_2, qi_2, dqo_0m, dqo_0n_right)
+    dqo_0n_lo = dqo_0n_lo1 + dqo_0l_lo
+    dqo_0o = qi_3 * qi_3
+    dqo_0p = dqo_0n - dqo_0o
+    dqo_0p_right = dqo_0n - dqo_0p
+    dqo_0p_lo1 = dqo_0n - (dqo_0p + dqo_0p_right) - product_rest(qi_3, qi_3, dqo_0o, dqo_0p_right)
+    dqo_0p_lo = dqo_0p_lo1 + dqo_0n_lo
+    dqo_0q_of_dqo_0p = dqo_0p + dqo_0p_lo
+    dqo_0q_of_dqo_0p_right = dqo_0q_of_dqo_0p - dqo_0p
+    dqo_0q_of_dqo_0p_left_rest = dqo_0p - (dqo_0q_of_dqo_0p - dqo_0q_of_dqo_0p_right)
+    dqo_0q_of_dqo_0p_lo = dqo_0q_of_dqo_0p_left_rest + (dqo_0p_lo - dqo_0q_of_dqo_0p_right)
+    dqo_0q = qi_0 * dqo_0q_of_dqo_0p
+    dqo_0 = dqo_0h + dqo_0q
+    dqo_0_right = dqo_0 - dqo_0h
+    dqo_0_right_rest = product_rest(qi_0, dqo_0q_of_dqo_0p, dqo_0q, dqo_0_right)
+    dqo_0_lo1 = dqo_0h - (dqo_0 - dqo_0_right) + dqo_0_right_rest
+    dqo_0_lo2 = dqo_0_lo1 + qi_0 * dqo_0q_of_dqo_0p_lo
+    dqo_0_lo = dqo_0_lo2 + dqo_0h_lo
+    dqo_1a = dqo_0e * qi_0
+    dqo_1b = dqo_0a * qi_2
+    dqo_1c = dqo_1a - dqo_1b
+    dqo_1c_right = dqo_1a - dqo_1c
+    dqo_1c_left_rest = product_rest(dqo_0e, qi_0, dqo_1a, dqo_1c + dqo_1c_right)
+    dqo_1c_lo = dqo_1c_left_rest - product_rest(dqo_0a, qi_2, dqo_1b, dqo_1c_right)
+    dqo_1d = dqo_0c * qi_3
+    dqo_1e = dqo_1c + dqo_1d
+    dqo_1e_right = dqo_1e - dqo_1c
+    dqo_1e_lo1 = dqo_1c - (dqo_1e - dqo_1e_right) + product_rest(dqo_0c, qi_3, dqo_1d, dqo_1e_right)
+    dqo_1e_lo = dqo_1e_lo1 + dqo_1c_lo
+    dqo_1f = qi_1 * dqo_0q_of_dqo_0p
+    dqo_1 = dqo_1e + dqo_1f
+    dqo_1_right = dqo_1 - dqo_1e
+    dqo_1_right_rest = product_rest(qi_1, dqo_0q_of_dqo_0p, dqo_1f, dqo_1_right)
+    dqo_1_lo1 = dqo_1e - (dqo_1 - dqo_1_right) + dqo_1_right_rest
+    dqo_1_lo2 = dqo_1_lo1 + qi_1 * dqo_0q_of_dqo_0p_lo
+    dqo_1_lo = dqo_1_lo2 + dqo_1e_lo
+    dqo_2a = dqo_0a * qi_1
+    dqo_2b = dqo_0c * qi_0
+    dqo_2c = dqo_2a - dqo_2b
+    dqo_2c_right = dqo_2a - dqo_2c
+    dqo_2c_left_rest = product_rest(dqo_0a, qi_1, dqo_2a, dqo_2c + dqo_2c_right)
+    dqo_2c_lo = dqo_2c_left_rest - product_rest(dqo_0c, qi_0, dqo_2b, dqo_2c_right)
+    dqo_2d = dqo_0e * qi_3
+    dqo_2e = dqo_2c + dqo_2d
+    dqo_2e_right = dqo_2e - dqo_2c
+    dqo_2e_lo1 = dqo_2c - (dqo_2e - dqo_2e_right) + product_rest(dqo_0e, qi_3, dqo_2d, dqo_2e_right)
+    dqo_2e_lo = dqo_2e_lo1 + dqo_2c_lo
+    dqo_2f = qi_2 * dqo_0q_of_dqo_0p
+    dqo_2 = dqo_2e + dqo_2f
+    dqo_2_right = dqo_2 - dqo_2e
+    dqo_2_right_rest = product_rest(qi_2, dqo_0q_of_dqo_0p, dqo_2f, dqo_2_right)
+    dqo_2_lo1 = dqo_2e - (dqo_2 - dqo_2_right) + dqo_2_right_rest
+    dqo_2_lo2 = dqo_2_lo1 + qi_2 * dqo_0q_of_dqo_0p_lo
+    dqo_2_lo = dqo_2_lo2 + dqo_2e_lo
+    dqo_3a = qi_3 * dqo_0q_of_dqo_0p
+    dqo_3b = dqo_0a * qi_0
+    dqo_3c = dqo_0c * qi_1
+    dqo_3d = dqo_3b + dqo_3c
+    dqo_3d_right = dqo_3d - dqo_3b
+    dqo_3d_left_rest = product_rest(dqo_0a, qi_0, dqo_3b, dqo_3d - dqo_3d_right)
+    dqo_3d_lo = dqo_3d_left_rest + product_rest(dqo_0c, qi_1, dqo_3c, dqo_3d_right)
+    dqo_3e = dqo_0e * qi_2
+    dqo_3f = dqo_3d + dqo_3e
+    dqo_3f_right = dqo_3f - dqo_3d
+    dqo_3f_lo1 = dqo_3d - (dqo_3f - dqo_3f_right) + product_rest(dqo_0e, qi_2, dqo_3e, dqo_3f_right)
+    dqo_3f_lo = dqo_3f_lo1 + dqo_3d_lo
+    dqo_3 = dqo_3a - dqo_3f
+    dqo_3_right = dqo_3a - dqo_3
+    dqo_3_left_rest = product_rest(qi_3, dqo_0q_of_dqo_0p, dqo_3a, dqo_3 + dqo_3_right)
+    dqo_3_lo1 = dqo_3_left_rest - (dqo_3f - dqo_3_right)
+    dqo_3_lo2 = dqo_3_lo1 - dqo_3f_lo
+    dqo_3_lo = dqo_3_lo2 + qi_3 * dqo_0q_of_dqo_0p_lo
+    dqo_0_rounded = dqo_0 + dqo_0_lo
+    dqo_1_rounded = dqo_1 + dqo_1_lo
+    dqo_2_rounded = dqo_2 + dqo_2_lo
+    dqo_3_rounded = dqo_3 + dqo_3_lo
+    return (dqo_0_rounded, dqo_1_rounded, dqo_2_rounded, dqo_3_rounded)
+
+
 @kernel("(4)->(3,3)")
 def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 5
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8
     u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
     searched, not proved.
     """
@@ -1108,7 +2813,7 @@ def axis_angle_from_quaternion(q):
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 8 equal, 31 select.  Error <= angle: 5 u, axis: 4 u of its largest component;
+    less, 8 equal, 31 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
     searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1225,7 +2930,7 @@ def quaternion_log(q):
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 7 equal, 28 select.  Error <= vo: 5 u of its largest component; searched, not proved.
+    less, 7 equal, 28 select.  Error <= vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)

@@ -1038,40 +1038,329 @@ def quaternion_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float6
     8 mul, 4 add, 4 abs.
     """
 
-def product_qq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """qo = q1 q2 = (w1 v2 + w2 v1 + v1 × v2; w1 w2 - v1·v2); |error of qo| <= qo_bound unless inf
-    or NaN.
+def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    20 mul, 28 add, 16 abs.
+    (),(4),(4)->(4),(4).  a: number; x, y, y_bound: quaternion (x, y, z, w), the scalar last.
+    8 mul, 12 add, 8 abs.
     """
 
-def product_qconjq(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """qo = q1* q2, q1* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    20 mul, 28 add, 16 abs.
-    """
-
-def product_qqconj(q1: ArrayLike, q2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """qo = q1 q2*, q2* the conjugate; |error of qo| <= qo_bound unless inf or NaN.
-
-    (4),(4)->(4),(4).  q1, q2, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    20 mul, 28 add, 16 abs.
-    """
-
-def product_qv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def rotate_qv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
     """
 
-def product_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
+    """
+
+def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    20 mul, 28 add, 16 abs.
+    """
+
+def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    20 mul, 28 add, 16 abs.
+    """
+
+def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    20 mul, 28 add, 16 abs.
+    """
+
+def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    20 mul, 28 add, 16 abs.
+    """
+
+def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (2),(4)->(4),(4).  dci: (sin θ, cos θ); qi, qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 8 abs.
+    """
+
+def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 1 neg, 8 abs.
+    """
+
+def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
+    qo_bound unless inf or NaN.
+
+    (4),(2)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; dci: (sin θ,
+    cos θ).
+    12 mul, 12 add, 2 neg, 8 abs.
+    """
+
+def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
+    16 mul, 20 add, 1 neg, 12 abs.
+    """
+
+def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
+
+    (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
+    16 mul, 20 add, 12 abs.
+    """
+
+def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.
+
+    (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    16 mul, 20 add, 1 neg, 12 abs.
+    """
+
+def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.
+
+    (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    16 mul, 20 add, 12 abs.
+    """
+
+def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.
+
+    (4),(4)->(),().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot, dot_bound: number.
+    5 mul, 7 add, 4 abs.
+    """
+
+def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
+
+    (3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
+    31 mul, 31 add, 7 abs.
+    """
+
+def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=
+    qi_bound unless inf or NaN.
+
+    (3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
+    31 mul, 31 add, 7 abs.
+    """
+
+def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
+    reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
+    or NaN.
+
+    (3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
+    43 mul, 40 add, 11 abs.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

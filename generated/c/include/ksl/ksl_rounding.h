@@ -1,0 +1,114 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* What keeps every operation rounded once, in the order written, under every flag that compiles.
+   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+#ifndef KSL_ROUNDING_H
+#define KSL_ROUNDING_H
+
+#if !defined(KSL_ALLOW_FAST_MATH)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__RECIPROCAL_MATH__)
+#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__NO_SIGNED_ZEROS__)
+#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
+    (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
+#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#endif
+
+/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
+   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+#ifndef KSL_HAS_FMA
+#if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
+    defined(__s390x__) || defined(__powerpc64__) || \
+    (defined(__riscv_flen) && __riscv_flen >= 64) || \
+    (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
+#define KSL_HAS_FMA 1
+#else
+#define KSL_HAS_FMA 0
+#endif
+#endif
+#ifndef KSL_HAS_FMAF
+#if KSL_HAS_FMA || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMAF) || defined(__riscv_flen)
+#define KSL_HAS_FMAF 1
+#else
+#define KSL_HAS_FMAF 0
+#endif
+#endif
+
+/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+   or nothing would be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#endif
+
+#ifndef KSL_MUL
+/* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline double ksl_minus_zero(void) {
+  double zero = -0.0;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MUL(a, b) ((a) * (b))
+#endif
+#endif
+
+#ifndef KSL_MULF
+/* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
+#if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
+/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
+   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
+   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+static inline float ksl_minus_zerof(void) {
+  float zero = -0.0f;
+#if defined(__x86_64__) || defined(__i386__)
+  __asm__("" : "+x"(zero));
+#elif defined(__aarch64__) || defined(__arm__)
+  __asm__("" : "+w"(zero));
+#else
+  __asm__("" : "+f"(zero));
+#endif
+  return zero;
+}
+#define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
+#elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
+    (defined(__x86_64__) || defined(__i386__))
+/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
+   turns. */
+#define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#else
+#define KSL_MULF(a, b) ((a) * (b))
+#endif
+#endif
+
+#endif

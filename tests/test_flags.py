@@ -1,0 +1,79 @@
+"""The headers' bits under every flag that compiles: those of the NumPy twins.
+
+Loops over arrays of structs and over structures of arrays, where vectorisers see them.
+"""
+
+import platform
+import shutil
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.operations import OPERATIONS
+from tests.bits_program import kernels, text, wanted
+from tests.c_harness import COMPILERS, INCLUDE, run
+
+# Of every shape there is: sums of two and three products, differences, chains, quotients, roots.
+CHOSEN = ("cross_vv", "dot_vv", "vec3_normalized", "product_drv", "mat3x3_determinant",
+          "product_CoAdc", "product_CoAdtc", "cross_sc", "cross_ss", "axpy_cc", "dot_cs",
+          "quaternion_product", "product_qq", "hctx", "inertia_product_s", "mat3x3_orthonormalized")
+BEHIND = ("cross_vv", "dot_cs", "product_CoAdtc", "cross_sc", "vec3_normalized")
+KERNELS = (*kernels("", CHOSEN), *kernels("accurate", BEHIND), *kernels("certified", BEHIND))
+X86 = platform.machine() in ("x86_64", "AMD64")
+
+
+def _fma() -> tuple[str, ...]:
+    """What x86 needs for instructions that fuse; elsewhere they are there."""
+    flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
+    return ("-mfma", "-mavx2") if X86 and " fma " in flags and " avx2 " in flags else ()
+
+
+FMA = _fma()
+TUNED = (*FMA, "-mtune=sapphirerapids") if FMA else ()
+FLAGS = {
+    "gcc": (("-O2",), ("-O3", *FMA), ("-O2", *TUNED), ("-std=c11", "-O3", "-march=native"),
+            ("-O3", *FMA, "-ffp-contract=fast"),
+            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast"),
+            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast")),
+    "clang": (("-O2",), ("-O3", *FMA), ("-O3", *FMA, "-ffp-contract=fast"),
+              ("-std=c11", "-O2", "-march=native", "-ffp-contract=fast"),
+              ("-O3", *FMA, "-ffp-contract=off", "-DKSL_CONTRACT_OFF"),
+              ("-x", "c++", "-std=c++17", "-O2", *FMA, "-ffp-contract=fast")),
+}
+BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[compiler])
+
+
+def test_chosen_kernels_exist():
+    names = {op.name for op in OPERATIONS}
+    assert len([name for name in CHOSEN if name in names]) > 10
+    assert {k.tier for k in KERNELS} == {"", "accurate", "certified"}
+
+
+@pytest.mark.parametrize("compiler, flags", BUILDS,
+                         ids=[" ".join((name, *flags)) for name, flags in BUILDS])
+def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    found = printed(tmp_path, (compiler, *flags))
+    wrong = [line for line, right in zip(found, wanted(KERNELS), strict=True) if line != right]
+    assert not wrong
+
+
+def printed(folder: Path, command: tuple[str, ...]) -> list[str]:
+    """What the program prints that this command compiles."""
+    source, binary = folder / "bits.c", folder / "bits"
+    source.write_text(text(KERNELS))
+    run((*command, "-I", INCLUDE, source, "-o", binary, "-lm"))
+    return run([binary]).splitlines()
+
+
+@pytest.mark.skipif(not FMA, reason="nothing fuses here")
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_a_fused_product_would_be_noticed(compiler: str, tmp_path: Path):
+    """With products spelled a * b, and the pragma gone, the flags change bits."""
+    include = tmp_path / "include"
+    shutil.copytree(INCLUDE, include)
+    header = include / "ksl" / "ksl_rounding.h"
+    plain = header.read_text().replace('#pragma GCC optimize("fp-contract=off")', "")
+    plain = plain.replace("__builtin_assoc_barrier", "").replace("KSL_HAS_FMA &&", "0 &&")
+    header.write_text(plain.replace("KSL_HAS_FMAF &&", "0 &&"))
+    found = printed(tmp_path, (compiler, "-I", str(include), "-O3", *FMA, "-ffp-contract=fast"))
+    assert found != wanted(KERNELS)
