@@ -55,10 +55,32 @@ static {real} number_{name}(int a, int k, int i) {{
   return (({real})(int64_t)seed - {half}) * {unit};
 }}
 
-static uint64_t hashed_{name}(uint64_t hash, {real} x) {{
-  {bits} bits = 0;
-  if (!(x != x)) {{ memcpy(&bits, &x, sizeof x); }} else {{ bits = 1; }} /* any NaN */
-  return (hash ^ bits) * 1099511628211u;
+/* Where an entry lies: in its plane, or in a struct, matrices column by column. */
+static int place_{name}(int entry, int row, int rows, int columns, int planes) {{
+  return planes ? entry * {rows} + row
+                : row * rows * columns + entry % columns * rows + entry / columns;
+}}
+
+static NOT_FOLDED void fill_{name}({real} *x, int a, int rows, int columns, int planes) {{
+  for (int row = 0; row < {rows}; row++) {{
+    for (int entry = 0; entry < rows * columns; entry++) {{
+      x[place_{name}(entry, row, rows, columns, planes)] = number_{name}(a, entry, row);
+    }}
+  }}
+}}
+
+/* Any NaN counts as any other. */
+static NOT_FOLDED uint64_t hashed_{name}(uint64_t hash, const {real} *x, int rows, int columns,
+    int planes) {{
+  for (int row = 0; row < {rows}; row++) {{
+    for (int entry = 0; entry < rows * columns; entry++) {{
+      const {real} *number = x + place_{name}(entry, row, rows, columns, planes);
+      {bits} bits = 1;
+      if (*number == *number) {{ memcpy(&bits, number, sizeof bits); }}
+      hash = (hash ^ bits) * 1099511628211u;
+    }}
+  }}
+  return hash;
 }}
 """
 
@@ -131,10 +153,10 @@ def _rows(kernel: Kernel) -> list[str]:
         size = f"[{a.quantity.size}]" if is_array(a) else ""
         lines.append(f"static {c_type(a.quantity, p)} {a.name}[{ROWS}]{size};")
     for number, a in enumerate(kernel.operation.inputs):
-        lines.append(_each(a, f"{_in_memory(a, p)} = number_{p.name}({number}, entry, row);"))
+        lines.append(f"fill_{p.name}(({p.c_type} *){a.name}, {number}, {_shape(a)}, 0);")
     call = call_of(kernel.operation, p, {a.name: f"{a.name}[row]" for a in arguments}, kernel.tier)
     lines.append(f"for (int row = 0; row < {ROWS}; row++) {{ {call} }}")
-    return lines + [_each(a, f"hash = hashed_{p.name}(hash, {_in_memory(a, p)});")
+    return lines + [f"hash = hashed_{p.name}(hash, (const {p.c_type} *){a.name}, {_shape(a)}, 0);"
                     for a in kernel.operation.outputs]
 
 
@@ -143,7 +165,7 @@ def _planes(kernel: Kernel) -> list[str]:
     operation, lines = kernel.operation, []
     for number, a in enumerate(operation.inputs):
         lines += [f"static {p.c_type} in{number}[{a.quantity.size}][{ROWS}];",
-                  _each(a, f"in{number}[entry][row] = number_{p.name}({number}, entry, row);")]
+                  f"fill_{p.name}(in{number}[0], {number}, {_shape(a)}, 1);"]
     lines += [f"static {p.c_type} out{number}[{a.quantity.size}][{ROWS}];"
               for number, a in enumerate(operation.outputs)]
     lines += ["INDEPENDENT", f"for (int row = 0; row < {ROWS}; row++) {{"]
@@ -155,20 +177,13 @@ def _planes(kernel: Kernel) -> list[str]:
     lines.append("  " + call_of(operation, p, {a.name: a.name for a in arguments}, kernel.tier))
     lines += [f"  out{number}[{k}][row] = {a.name}{member(a.quantity, k)};"
               for number, a in enumerate(operation.outputs) for k in range(a.quantity.size)]
-    return [*lines, "}", *(_each(a, f"hash = hashed_{p.name}(hash, out{number}[entry][row]);")
+    return [*lines, "}", *(f"hash = hashed_{p.name}(hash, out{number}[0], {_shape(a)}, 1);"
                            for number, a in enumerate(operation.outputs))]
 
 
-def _each(argument: Argument, statement: str) -> str:
-    return (f"for (int row = 0; row < {ROWS}; row++) {{ "
-            f"for (int entry = 0; entry < {argument.quantity.size}; entry++) {{ {statement} }} }}")
-
-
-def _in_memory(argument: Argument, precision: Precision) -> str:
-    """Component `entry`, counted row by row, of row `row`; matrices lie column by column."""
+def _shape(argument: Argument) -> str:
     rows, columns = argument.quantity.rows_columns if argument.quantity.shape else (1, 1)
-    place = "entry" if columns == 1 else f"entry % {columns} * {rows} + entry / {columns}"
-    return f"(({precision.c_type} *)&{argument.name}[row])[{place}]"
+    return f"{rows}, {columns}"
 
 
 def _numbers(precision: Precision, argument: int, size: int) -> np.ndarray:

@@ -24,7 +24,7 @@ from coscrew_codegen.targets.c import c_type, member
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import plain_program
 from tests.c_harness import INCLUDE, call_of, distinct
-from tests.corpus import TABLE
+from tests.corpus import TABLE, Case, load, save
 from tests.judge import Group, groups, ratio
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,6 +33,7 @@ SLICE = 60.0  # seconds
 LARGEST = 50.0  # angle searched; test_motions and the corpus have larger ones
 
 SEARCHED = tuple(op for op in TABLE.values() if op.normwise and "right" not in op.name)
+NAMES = tuple(op.name for op in SEARCHED)
 
 
 @dataclass
@@ -90,6 +91,37 @@ def _kept(path: Path, text: str) -> None:
     part = path.with_suffix(".part")
     part.write_text(text)
     os.replace(part, path)
+
+
+def search(names: list[str], minutes: float, append: bool) -> int:
+    """Climbs for so long, a little of each first; prints each kernel's figures; how many exceed
+    their bound."""
+    operations = [TABLE[name] for name in names] or list(SEARCHED)
+    targets = [(op, precision) for op in operations for precision in PRECISIONS]
+    violations = 0
+    for budget in (*(m for m in (1, 5) if m < minutes), minutes):
+        for operation, precision in targets:
+            for _ in climb(operation, precision, 60 * budget):
+                pass
+            print(line_of(operation, precision), flush=True)
+    for operation, precision in targets:
+        found = known(operation, precision)
+        violations += max(found.of_bound) > 1
+        if append:
+            origin = f"search --minutes {found.seconds / 60:g}"
+            new = [Case(operation, precision, tuple(map(float.fromhex, row)), origin)
+                   for row in found.inputs]
+            save((*load(), *new))
+    return violations
+
+
+def line_of(operation: Operation, precision: Precision) -> str:
+    """Name, precision, minutes, each part's error in u beside what is stated, confirmed ratio."""
+    found = known(operation, precision)
+    parts = ", ".join(f"{bound.part} {error:.2f} of {bound.k} u" for bound, error in
+                      zip(operation.normwise, found.errors, strict=True))
+    return (f"{operation.name} {precision.name}, {found.seconds / 60:g} min: {parts}; "
+            f"{max(found.of_bound):.3f} of the bound")
 
 
 # the C

@@ -126,6 +126,16 @@ def _parallel(size: int) -> Iterator[Described]:
                                               for i, x in enumerate(a)]]
 
 
+def _multiples() -> Iterator[Described]:
+    """Parallel and antiparallel, rounded: cross products that are zero but for their roundings."""
+    yield from _parallel(3)
+    for a in ((1, 2, 3), (7, -11, 13), (2, 5, -7)):
+        for k in (3, -7, mp.mpf(1) / 3, -mp.mpf(1) / 11):
+            x = [mp.mpf(v) / 3 for v in a]
+            yield f"one is {mp.nstr(mp.mpf(k), 3)} of the other, but for roundings", [
+                x, [k * float(v) for v in x]]
+
+
 def _perpendicular(size: int) -> Iterator[Described]:
     for gap in ("1e-8", "1e-16", "0"):
         a = [mp.mpf(x) / 3 for x in (2, 5, -7, 11, -13, 17)][:size]
@@ -161,7 +171,7 @@ _CANCELLING: dict[str, Callable[[], Iterator[Described]]] = {
     "product_Adts": lambda: _lever_arms(False, -1, True),
     "product_Adtinvs": lambda: _lever_arms(False, 1, True),
     "cross_vv": lambda: _parallel(3), "cross_ss": lambda: _parallel(6),
-    "cross_sc": lambda: _parallel(6), "angle_vv": lambda: _parallel(3),
+    "cross_sc": lambda: _parallel(6), "angle_vv": _multiples,
     "dot_vv": lambda: _perpendicular(3), "dot_cs": lambda: _perpendicular(6),
     "mat3x3_determinant": _singular,
     "axpy_vv": lambda: _cancelled(3), "axpy_ss": lambda: _cancelled(6),
@@ -178,6 +188,8 @@ def _of_range(operation: Operation, precision: Precision) -> Iterator[Case]:
     if operation in TIERED:
         degree = max(2, _degree(operation))
         exponents = ((info.minexp - 12) // degree, (info.maxexp - 3) // degree + 1)
+    elif operation.name in ("quaternion_log", "axis_angle_from_quaternion"):
+        exponents = (info.minexp - info.nmant + 5, info.minexp, info.minexp + 20, info.maxexp - 6)
     elif operation.name == "angle_vv" or "norm" in operation.name:
         exponents = (info.minexp - info.nmant + 5, info.minexp, info.maxexp - 6)
     else:

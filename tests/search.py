@@ -19,6 +19,7 @@ from tqdm import tqdm
 
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from tests import climb
 from tests.attack import (TIERED, UNIT, Arrays, Implementation, bounds, exact_functions,
                           plain_program)
 from tests.attack import rows as attacking_rows
@@ -209,8 +210,16 @@ def main() -> None:
     parser.add_argument("--tier", nargs="+", default=list(TIER_NAMES), choices=TIER_NAMES)
     parser.add_argument("--seconds", type=float, default=2, help="for each line of the table")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("kernels", nargs="*", metavar="KERNEL",
+                        help="with --minutes: kernels whose bounds are searched; all if none")
+    parser.add_argument("--minutes", type=float, help="of processor time a kernel and precision: "
+                        "climb in C (tests.climb), going on from what was found before")
     parser.add_argument("--append", action="store_true", help="add what is worse to the corpus")
     options = parser.parse_args()
+    if unknown := set(options.kernels) - set(climb.NAMES):
+        parser.error(f"no searched bound: {', '.join(sorted(unknown))}; of {', '.join(climb.NAMES)}")
+    if options.minutes:
+        raise SystemExit(climb.search(options.kernels, options.minutes, options.append) > 0)
     operations = tuple(TABLE[name] for name in options.operation)
     targets = [(op, p, tier) for op in operations for p in PRECISIONS if p.name in options.precision
                for tier in tiers_of(op) if tier in options.tier]

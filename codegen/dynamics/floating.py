@@ -2,15 +2,17 @@
 but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
 momentum about the centre of mass stays."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from coscrew_codegen.dynamics import composite, inverse
+from coscrew_codegen.dynamics.acting import Acting, gravity
 from coscrew_codegen.dynamics.bodies import Rigid
 from coscrew_codegen.dynamics.linear import factored
 from coscrew_codegen.dynamics.model import Kind
 from coscrew_codegen.dynamics.motion import Motion
 from coscrew_codegen.dynamics.numbers import (Number, Vector, add, cross, rotated, rotated_back,
                                               scaled, subtract)
+from coscrew_codegen.dynamics.record import Recorder, array
 from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Applied, Scene
 from coscrew_codegen.dynamics.tree import Tree
@@ -20,7 +22,8 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     """The first links of the trees that float free."""
     roots = [n for n, link in enumerate(tree.links)
              if link.parent < 0 and link.joint.kind is Kind.FREE]
-    tied = {root for applied in scene.effects for root in _tied(applied, tree)}
+    tied = {root for applied in scene.effects for root in _tied(applied, tree)
+            if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):
         if link.driver and _root(tree, number) != _root(tree, link.driver.link):
             tied |= {_root(tree, number), _root(tree, link.driver.link)}
@@ -35,6 +38,16 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
         ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.values["bodies"]}
         return ends if len(ends) > 1 else set()
     return set()
+
+
+def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
+    """Whether an effect's forces are zero whatever happens: its numbers say so."""
+    recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
+                         array("q", (tree.nq,)), array("v", (tree.nv,))])
+    motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
+                    gravity(scene, recorder))
+    acting = Acting(replace(scene, effects=(applied,)), motion).act()
+    return all(x.is_zero for link in acting.pushes for part in acting.force(link) for x in part)
 
 
 def _root(tree: Tree, number: int) -> int:

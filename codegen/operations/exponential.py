@@ -97,10 +97,10 @@ _NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3
 
 _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
-        _exp, _bound_exp, (Normwise("R", 5, per_angle=200),)),
+        _exp, _bound_exp, (Normwise("R", 6, per_angle=200),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
         "as much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (Normwise("vo", 5),)),
+        lambda let, R: _log(let, R)[0], (Normwise("vo", 6),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
           partial(_bound_jacobian, sign), (Normwise("R", 6, per_angle=200),))
@@ -108,12 +108,12 @@ _ROTATIONS = (
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
           "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",
           (_small_v,), (_R,), partial(_jacobian_inverse, sign),
-          partial(_bound_jacobian_inverse, sign), (Normwise("R", 5),))
+          partial(_bound_jacobian_inverse, sign), (Normwise("R", 6),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle",
         "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (Normwise("R", 8),), "mat3x3"),
+        (Normwise("R", 9),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
         (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
         lambda let, R: axis_angle(let, quaternion_of(let, R)),
@@ -218,20 +218,20 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (Normwise("R", 5, per_angle=200), Normwise("t", 8, ("s.lin",), 200))),
+        (Normwise("R", 6, per_angle=200), Normwise("t", 8, ("s.lin",), 200))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
-        _screw_of, _bound_screw_of, (Normwise("lin", 14), Normwise("ang", 8))),
+        _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_small_s,), (_M,), partial(_motion_jacobian, sign),
           partial(_bound_motion_jacobian, sign),
-          (Normwise("M", 14),)) for side, sign in (("left", 1), ("right", -1))),
+          (Normwise("M", 20),)) for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 9),))
+          partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 14),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (Normwise("R", 12), Normwise("t", 20, ("D1.t", "D2.t")))),
+        (Normwise("R", 16), Normwise("t", 30, ("D1.t", "D2.t")))),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

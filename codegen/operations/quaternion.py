@@ -135,7 +135,7 @@ def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
 _CONVERSIONS = (
     _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square "
         "neither over- nor underflows", (_ordinary,), (_R_out,),
-        lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 5),)),
+        lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 8),)),
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
         "rotation, off by as much as R", (_R,), (_qo,),
         lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (Normwise("qo", 5),)),
@@ -146,17 +146,17 @@ _CONVERSIONS = (
         "multiple of a quaternion", (_q,), (_angle, _axis_out),
         lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)),
         lambda let, q: axis_angle(let, moderate(let, "s", q)),
-        (Normwise("angle", 5), Normwise("axis", 4))),
+        (Normwise("angle", 6), Normwise("axis", 4))),
     _op("quaternion_exp", "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the "
         "rotation vector v", (_turn,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (Normwise("qo", 7, per_angle=200),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
         "of any multiple of it", (_q,), (_vo,), 
-        lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 5),)),
+        lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 6),)),
     _op("quaternion_interpolated", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, "
         "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (Normwise("qo", 12),)),
+        _slerp, (Normwise("qo", 14),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")

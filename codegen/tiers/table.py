@@ -82,7 +82,7 @@ FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fuse
 ACCURATE = Tier("accurate", "Accurate tier: double compensated, single computed in double.",
                 "ksl_exact", accurate, widened, in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
-float64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.""",
+float64 and rounded once.  The same bits as the C kernels, with fma or without.""",
                 operations=COMPENSATED)
 CERTIFIED = Tier("certified",
                  "Certified tier: plain results, and bounds of their errors that hold.",

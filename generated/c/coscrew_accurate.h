@@ -18412,7 +18412,7 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = KSL_MUL(q->w, q->w);
@@ -18767,7 +18767,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
      less, 8 equal, 31 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
   const double s_size_0 = fabs(q->x);
@@ -18888,7 +18888,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
      less, 7 equal, 28 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -19996,7 +19996,7 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t *q,
     ksl_mat3x3f_t *R) {
@@ -20099,7 +20099,7 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
   const double s_size_0 = fabs((double)q->x);
@@ -20153,7 +20153,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const double s_size_0 = fabs((double)q->x);
   const double s_size_1 = fabs((double)q->y);
@@ -20214,7 +20214,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
    R: rotation or other 3×3 matrix; vo: vector.
    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 10 equal, 58 select.
-   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -21162,7 +21162,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;

@@ -1524,7 +1524,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component\n"
+    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component\n"
     "for |axis| = 1; searched, not proved.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",

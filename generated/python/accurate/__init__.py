@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
 """The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
-float64 and rounded once.  The same bits as the C kernels while nothing over- or underflows.
+float64 and rounded once.  The same bits as the C kernels, with fma or without.
 
 Compiled (`COMPILED`) or in pure NumPy, as `coscrew` itself; `double` and `single` are always NumPy.
 Cost and bounds in docstrings are those of double precision.  Operations that round
@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9bcfd29243c55821")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "7933e69dfb5f49e3")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

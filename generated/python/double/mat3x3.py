@@ -559,7 +559,7 @@ def mat3x3_from_axis_angle(axis, angle):
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 8 u of its largest component
+    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
     for |axis| = 1; searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis

@@ -865,7 +865,7 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
     in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -981,7 +981,7 @@ def axis_angle_from_quaternion(q):
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
-    angle: 5 u, axis: 4 u of its largest component; searched, not proved.
+    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1132,7 +1132,7 @@ def quaternion_log(q):
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1185,7 +1185,7 @@ def quaternion_interpolated(q1, q2, k):
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
     q1_0, q1_1, q1_2, q1_3 = q1

@@ -15,7 +15,7 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (5 +
+    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (6 +
     θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
@@ -130,7 +130,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 5 u of its largest component for R a rotation; searched, not proved.
+    vo: 6 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -464,7 +464,7 @@ def SO3_leftJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 5
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
     u of its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
@@ -570,7 +570,7 @@ def SO3_rightJacobianInverse(v):
     but 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 5 u of
+    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
     its largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
@@ -745,7 +745,7 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (5 +
+    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
     θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
     s| <= 1e13, in single precision 1e5; searched, not proved.
     """
@@ -899,7 +899,7 @@ def SE3_log(D):
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 14 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -1015,7 +1015,7 @@ def SE3_leftJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1224,7 +1224,7 @@ def SE3_rightJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1433,7 +1433,7 @@ def SE3_leftJacobianInverse(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    9 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1602,7 +1602,7 @@ def SE3_rightJacobianInverse(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    9 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1771,7 +1771,7 @@ def SE3_interpolated(D1, D2, k):
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 12 u, t: 20 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1

@@ -759,7 +759,7 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
   const double half = KSL_MUL(0.5, angle);
@@ -1617,7 +1617,7 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
-   Error <= R: 8 u of its largest component for |axis| = 1; searched, not proved. */
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
   const float half = KSL_MULF(0.5f, angle);

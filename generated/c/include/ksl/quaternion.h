@@ -964,7 +964,7 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
   const double squares_0 = KSL_MUL(q->w, q->w);
@@ -1080,7 +1080,7 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -1209,7 +1209,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
   const double s_size_1 = fabs(q->y);
@@ -1262,7 +1262,7 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+   Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
 static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
@@ -2440,7 +2440,7 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
 /* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
-   Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
+   Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
   const float squares_0 = KSL_MULF(q->w, q->w);
@@ -2556,7 +2556,7 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
-   Error <= angle: 5 u, axis: 4 u of its largest component; searched, not proved. */
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -2682,7 +2682,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
-   Error <= vo: 5 u of its largest component; searched, not proved. */
+   Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const float s_size_0 = fabsf(q->x);
   const float s_size_1 = fabsf(q->y);
@@ -2734,7 +2734,7 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 12 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+   Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
 static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {

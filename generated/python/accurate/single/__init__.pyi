@@ -1611,7 +1611,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 5 u of its largest component for 2^-450 < |q| < 2^511,
+    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
     in single precision 2^-45 < |q| < 2^63; searched, not proved.
     """
 
@@ -1629,7 +1629,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
-    angle: 5 u, axis: 4 u of its largest component; searched, not proved.
+    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1638,7 +1638,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
     15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
-    vo: 5 u of its largest component; searched, not proved.
+    vo: 6 u of its largest component; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1646,7 +1646,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 5 u of its largest component for R a rotation; searched, not proved.
+    vo: 6 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
