@@ -50,7 +50,7 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
 static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
-  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='accurate', title='Accurate tier: double compensated, single computed in double.', header='ksl_exact', double=<function accurate at 0x7fa2fa31fa60>, single=<function widened at 0x7fa2fa31f600>, operation=<function Tier.<lambda> at 0x7fa2fa35a3e0>, in_words='The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in\nfloat64 and rounded once.  The same bits as the C kernels, with fma or without.', operations=frozenset({<Op.LESS: 'less'>, <Op.ADD: 'add'>, <Op.SQRT: 'sqrt'>, <Op.ATAN2: 'atan2'>, <Op.DIV: 'div'>, <Op.SUB: 'sub'>, <Op.SELECT: 'select'>, <Op.SCALE: 'scale'>, <Op.NEG: 'neg'>, <Op.ABS: 'abs'>, <Op.MUL: 'mul'>, <Op.EQUAL: 'equal'>}))._dispatch");
+  PyObject *module = PyImport_ImportModule("coscrew.accurate._dispatch");
   PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
   PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
   PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);

@@ -50,7 +50,7 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
 static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
-  PyObject *module = PyImport_ImportModule("coscrew.Tier(name='certified', title='Certified tier: plain results, and bounds of their errors that hold.', header='ksl_types', double=functools.partial(<function certified at 0x7fa2fa359620>, number=Format(digits=53, least_exponent=-1022)), single=functools.partial(<function certified at 0x7fa2fa359620>, number=Format(digits=24, least_exponent=-126)), operation=<function certified_operation at 0x7fa2fa359760>, in_words="The certified tier: every operation returns the plain result, bit for bit, and a bound of each\ncomponent's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the\nbound is infinite or NaN, something overflowed, and it says nothing.", operations=frozenset({<Op.SUB: 'sub'>, <Op.NEG: 'neg'>, <Op.MUL: 'mul'>, <Op.ADD: 'add'>}))._dispatch");
+  PyObject *module = PyImport_ImportModule("coscrew.certified._dispatch");
   PyObject *twin = module == NULL ? NULL : PyObject_GetAttrString(module, ufunc->name);
   PyObject *check = twin == NULL ? NULL : PyObject_GetAttrString(twin, "check");
   PyObject *passed = check == NULL ? NULL : PyObject_Vectorcall(check, given, inputs, NULL);

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "7933e69dfb5f49e3")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "ffa273f4568f3290")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
