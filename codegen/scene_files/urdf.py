@@ -48,7 +48,8 @@ def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERRO
 
     With `implausible` "warn", inertias that are impossible, massless or incomplete are let through,
     and the model's `implausible` tells them.  Raises SceneError, naming file, line and element, for
-    files that are no URDF, numbers that are not finite, impossible inertias, unknown names and joints that make no tree."""
+    files that are no URDF, numbers that are not finite, impossible inertias, unknown names and
+    joints that make no tree."""
     return _Urdf(Path(path), implausible).model(base)
 
 
