@@ -159,10 +159,9 @@ def singular_at(k: int, M: np.ndarray) -> np.ndarray:
 
 
 def differs(found: list[mp.mpf], wanted: list[mp.mpf]) -> bool:
-    """By more than 1e-30 of the largest: where a number is at the edge of two branches, text and
-    kernel may take either, and series end that far off."""
+    """By more than 1e-40 of the largest."""
     size = max([abs(x) for x in wanted if not mp.isnan(x)], default=mp.mpf(0))
-    return any(mp.isnan(x) != mp.isnan(y) or abs(x - y) > size * mp.mpf(10)**-30
+    return any(mp.isnan(x) != mp.isnan(y) or abs(x - y) > size * mp.mpf(10)**-40
                for x, y in zip(found, wanted, strict=True))
 
 
