@@ -25,8 +25,8 @@ def _once(function: Callable) -> Callable:
 
 @_once
 def g(k: Number, x: Number) -> Number:
-    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost; for a large x by
-    g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses none."""
+    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost; for a large x
+    by g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses none."""
     if x > 10**4:
         root, k = mpmath.sqrt(x), int(k)
         found = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)

@@ -153,7 +153,8 @@ _MADE = {  # lines of C: parameters p, rounded inputs x
     "qm": "unit(p, 4, exp2l(fmax(-20, fmin(20, p[4]))), x);",
     "mat3x3": "rotation(p, x, 3);",
     "tl": "rotation(p, x, 4); for (int i = 0; i < 3; i++) { x[4 * i + 3] = (REAL)p[3 + i]; }",
-    "t": "turn(p, x);", "lt": "for (int i = 0; i < 3; i++) { x[i] = (REAL)p[i]; } turn(p + 3, x + 3);",
+    "t": "turn(p, x);",
+    "lt": "for (int i = 0; i < 3; i++) { x[i] = (REAL)p[i]; } turn(p + 3, x + 3);",
 }
 
 _HEAD = """
@@ -191,7 +192,8 @@ def text_of(operation: Operation, precision: Precision) -> str:
     largest = LARGEST if any(a.domain == TURN for a in operation.inputs) else "PI"
     found = groups(operation, "plain")
     defines = {"REAL": precision.c_type, "INPUTS": size[0], "OUTPUTS": size[1],
-               "U": float(np.finfo(precision.numpy_type).eps) / 2, "KINDS": f'"{_kinds(operation)}"',
+               "U": float(np.finfo(precision.numpy_type).eps) / 2,
+               "KINDS": f'"{_kinds(operation)}"',
                "PARAMETERS": sum(_PARAMETERS[k] for k in _kinds(operation)), "GROUPS": len(found),
                "LARGEST": largest, "LEAST": 1e-250 if precision.name == "double" else 1e-25}
     return "\n".join([*(f"#define {name} {value}" for name, value in defines.items()), _HEAD,
@@ -233,7 +235,8 @@ def _evaluate(operation: Operation, precision: Precision) -> str:
     for array, arguments in (("x", operation.inputs), ("y", operation.outputs)):
         start = 0
         if array == "y":
-            lines.append(call_of(operation, precision, {a.name: a.name for a in distinct(operation)}))
+            names = {a.name: a.name for a in distinct(operation)}
+            lines.append(call_of(operation, precision, names))
         for a in arguments:
             for i in range(a.quantity.size):
                 at, place = f"{array}[{start + i}]", f"{a.name}{member(a.quantity, i)}"
@@ -270,7 +273,8 @@ def _judged(operation: Operation, precision: Precision) -> str:
     steps = [f"  const long double {s.name} = {_WIDE[s.op].format(*map(value, s.operands))};"
              for s in program.instructions]
     results = [f"  out_[{i}] = {value(x)};" for i, x in enumerate(program.results)]
-    return "\n".join(["static void judged(const REAL *in_, long double *out_) {", *steps, *results, "}"])
+    head = "static void judged(const REAL *in_, long double *out_) {"
+    return "\n".join([head, *steps, *results, "}"])
 
 
 def _compiled(operation: Operation, precision: Precision) -> Path:

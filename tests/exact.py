@@ -6,6 +6,7 @@ mpmath numbers or of SymPy symbols.  D = [R | t]; linear parts on top: s = (v; Ï
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from itertools import permutations
 from math import prod
 from random import Random
@@ -230,13 +231,31 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "mat3x3_from_quaternion": rotation_of,
     "mat3x3_orthonormalize": orthonormalized,
     "mat3x3_orthonormalized": orthonormalized,
+    "mat3x3_setFromAxisDC": lambda a, dc: (
+        dc[1] * I3 + dc[0] * skew(a) + (1 - dc[1]) * np.outer(a, a)),
+    "mat3x3_inverse": lambda R: (determinant(R), R.T),
+    "vec4_copy": lambda v: v,
+    "vec4_scale": lambda v, a: a * v,
+    "vec4_scaled": lambda v, k: k * v,
+    "vec4_swap": lambda v1, v2: (v2, v1),
+    "vec4_invert": lambda v: -v,
+    "vec4_inverted": lambda v: -v,
+    "mat4x4_setIdentity": lambda M: eye(4),
+    "mat4x4_fromSE3": homogeneous,
+    "mat4x4_fromRt": lambda R, t: homogeneous(displacement(R, t)),
+    "mat4x4_toSE3": lambda M: M[:3],
+    "mat4x4_getTranslation": lambda M: M[:3, 3],
+    "SE3_toMat4x4": homogeneous,
 }
 
 # Operations that leave the rationals, or round on them.
 IRRATIONAL = (
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",
-    "product_ainvv", "angle_vv", "quaternion_norm", "quaternion_normalize", "quaternion_normalized",
+    "product_ainvv", "angle_vv", "vec4_l2norm", "vec4_normalize", "vec4_normalized",
+    "mat3x3_normalize", "mat3x3_normalized", "mat3x3_jacobi", "mat3x3_from_euler_xyz",
+    "mat3x3_from_euler_xyx", "euler_xyz_from_mat3x3", "euler_xyx_from_mat3x3", "quaternion_norm",
+    "quaternion_normalize", "quaternion_normalized",
     *(name for name in TRUTHS if name not in FORMULAS))
 
 
@@ -340,6 +359,7 @@ class Sample:
         return {"scalar": self.scalar, "vec3": self.vector, "dc": self.sine_cosine,
                 "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
                 "mat6x6": lambda: self.vector(36).reshape(6, 6),
+                "mat4x4": lambda: self.vector(16).reshape(4, 4), "vec4": partial(self.vector, 4),
                 "inertia": lambda: self.vector(10)
                 }.get(kind, lambda: self.vector(6))()
 

@@ -217,7 +217,8 @@ def main() -> None:
     parser.add_argument("--append", action="store_true", help="add what is worse to the corpus")
     options = parser.parse_args()
     if unknown := set(options.kernels) - set(climb.NAMES):
-        parser.error(f"no searched bound: {', '.join(sorted(unknown))}; of {', '.join(climb.NAMES)}")
+        parser.error(f"no searched bound: {', '.join(sorted(unknown))}; "
+                     f"of {', '.join(climb.NAMES)}")
     if options.minutes:
         raise SystemExit(climb.search(options.kernels, options.minutes, options.append) > 0)
     operations = tuple(TABLE[name] for name in options.operation)

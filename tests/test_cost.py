@@ -101,7 +101,8 @@ def test_the_loops_compile_without_warnings(kernels, tmp_path):
         subprocess.run(["cc", *flags, "loops.c"], cwd=tmp_path, check=True)
 
 
-@pytest.mark.parametrize("step", ("leapfrog", "semi_implicit_euler", "linear_implicit_euler", "rk4"))
+@pytest.mark.parametrize("step", ("leapfrog", "semi_implicit_euler", "linear_implicit_euler",
+                                  "rk4"))
 @pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)
 def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, step):
     whole = parts(kernels["BRICK"].scene)[0]

@@ -17,7 +17,8 @@ NUMBERS = ((0.1, -0.7, 0.3, 0.6), (0.5, 0.2, -0.4, 0.3), (-0.6, 0.1, 0.2, -0.5),
            (0.2, 0.8, 0.1, 0.4), (-0.1, 0.65, -0.35, -0.55))
 FRACTIONS = (0.0, 0.25, 0.5, 0.75, 1.0)
 SINGLE = {"ksl_quaternion_slerp": "ksl_slerpf", "ksl_quaternion_nlerp": "ksl_nlerpf",
-          "ksl_quaternion_squad": "ksl_squadf", "ksl_mat3x3_toQuaternion": "ksl_mat3x3f_toQuaternion",
+          "ksl_quaternion_squad": "ksl_squadf",
+          "ksl_mat3x3_toQuaternion": "ksl_mat3x3f_toQuaternion",
           "ksl_quaternion_toMat3x3": "ksl_quaternionf_toMat3x3f",
           "ksl_quaternion_product_uqinverseq": "ksl_product_uqinverseqf"}
 

@@ -30,7 +30,8 @@ from tests.c_reader import INCLUDE
 EXACTLY = {
     "ksl_product_error": lambda a, b, p: a * b - p,
     "ksl_product_rest": lambda a, b, p, h: a * b - h,
-    "KSL_MUL": operator.mul, "KSL_MULF": operator.mul, "exactly": Fraction, "fabs": abs, "fabsf": abs,
+    "KSL_MUL": operator.mul, "KSL_MULF": operator.mul, "exactly": Fraction,
+    "fabs": abs, "fabsf": abs,
     "fma": lambda a, b, c: a * b + c, "fmaf": lambda a, b, c: a * b + c,
 }
 # Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and

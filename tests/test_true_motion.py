@@ -71,7 +71,8 @@ def tree(*effects: m.Applied) -> Scene:
 
 def falling() -> Scene:
     """The tree in gravity, with friction, a motor and an end of its range."""
-    return m.scene(tree().model, m.gravity(1, 2, -9), m.applied("viscous", "j2", d=Fraction(1, 100)),
+    return m.scene(tree().model, m.gravity(1, 2, -9),
+                   m.applied("viscous", "j2", d=Fraction(1, 100)),
                    m.applied("actuator", "j2", kind="pd", kp=2, kd=Fraction(1, 10),
                              target=m.Formula("sin(9*t)")),
                    m.applied("limit", "j2", lower=Fraction(-2), upper=Fraction(1), k=10**4),
@@ -240,8 +241,8 @@ def bouncing(k: str) -> Kernels:
 
 
 def restitution(v: float, alpha: float = 0.1) -> float:
-    """e of c v - ln(1 + c v) = -c e v - ln(1 - c e v), c = 1.5 alpha: m v dv = -k δ^1.5 (1 + c v) dδ
-    integrated in and out."""
+    """e of c v - ln(1 + c v) = -c e v - ln(1 - c e v), c = 1.5 alpha: m v dv = -k δ^1.5 (1 + c v)
+    dδ integrated in and out."""
     x = mpmath.mpf(3) / 2 * alpha * v
     lost = x - mpmath.log(1 + x)
     return float(mpmath.findroot(lambda y: -y - mpmath.log(1 - y) - lost, x * 0.75) / x)

@@ -40,7 +40,8 @@ from coscrew_codegen import load_scene
 arm = load_scene("arm.toml")
 q: NDArray[np.float64] = arm.neutral_q
 tau: NDArray[np.float64] = arm.double.inverse_dynamics(q, [0.0], [0.0])
-narrow: NDArray[np.float32] = arm.single.forward_dynamics(q, [0.0], tau=tau, out=tau.astype(np.float32))
+narrow: NDArray[np.float32] = arm.single.forward_dynamics(q, [0.0], tau=tau,
+                                                          out=tau.astype(np.float32))
 jacobian: NDArray[np.float64] = arm.double.jacobian_hand(q)
 q, v = arm.double.step_rk4(0.1, q, [0.0], out=(q, None))
 names: tuple[str, ...] = arm.joints

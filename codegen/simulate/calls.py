@@ -26,7 +26,8 @@ Real = TypeVar("Real", bound=np.floating, covariant=True)
 class Function(Protocol[Real]):
     """A function of a scene with one result: its docstring tells the arguments."""
 
-    def __call__(self, *arguments: ArrayLike, out: np.ndarray | tuple[np.ndarray | None] | None = ...,
+    def __call__(self, *arguments: ArrayLike,
+                 out: np.ndarray | tuple[np.ndarray | None] | None = ...,
                  **named: ArrayLike) -> NDArray[Real]:
         """The result, in `out` if that is given."""
 

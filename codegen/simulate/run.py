@@ -92,7 +92,8 @@ def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):
             break
-    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{_cause(system, plan, h, *before)}"
+    cause = _cause(system, plan, h, *before)
+    return f"not finite at t = {start + (i + 1) * h:.9g} s: {lacking}{cause}"
 
 
 def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:

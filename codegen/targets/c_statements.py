@@ -1,8 +1,8 @@
 """How C writes a Program's instructions, and comments; shared by all that emits C.
 
 One operation a statement (declarators count as statements), so that no compiler that contracts
-within expressions can fuse a product into a sum; a product that rounds is KSL_MUL(a, b), which those
-that contract across statements leave alone.  Knows no operation, no scene, and not how
+within expressions can fuse a product into a sum; a product that rounds is KSL_MUL(a, b), which
+those that contract across statements leave alone.  Knows no operation, no scene, and not how
 arguments are stored.
 """
 
