@@ -151,9 +151,13 @@ def _clean(text: str) -> str:
     return text.replace("KSL_VIEW", "struct").replace("static inline ", "")
 
 
-def sign_flips(text: str) -> Iterator[str]:
-    """The text with one binary + or - turned into the other, or one unary - gone; for each."""
+def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
+    """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
+    what is called as `free` says."""
     for match in _SIGNS.finditer(text):
+        called = re.findall(r"(\w+) = ", text[:match.start()])
+        if called and called[-1].startswith(free or "="):
+            continue
         binary = text[match.end()].isspace()
         flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
         yield text[:match.start()] + flipped + text[match.end():]

@@ -1,8 +1,8 @@
 """Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
 
 In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
-So, where asked for, roots, quotients and sums with multiples of GRID are rounded as in the kernel's
-precision; all else never is.
+So, where asked for, roots, quotients, sums with multiples of GRID, and squares of such sums, which
+are exact if they are right, are rounded as in the kernel's precision; all else never is.
 """
 
 import operator
@@ -59,11 +59,14 @@ class Rules:
         return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
 
     def sum(self, function: Callable, x: "Number", y: object) -> "Number":
-        rounds = x.is_grid or getattr(y, "is_grid", False)
-        return x._with(partial(self.rounded, function) if rounds else function, y)
+        on_grid = x.is_grid or getattr(y, "is_grid", False)
+        found = x._with(partial(self.rounded, function) if on_grid else function, y)
+        found.on_grid = on_grid
+        return found
 
     def product(self, x: "Number", y: object) -> "Number":
-        found = x._with(operator.mul, y)
+        square = x.on_grid and getattr(y, "on_grid", False) and x.value == y.value
+        found = x._with(partial(self.rounded, operator.mul) if square else operator.mul, y)
         found.is_grid = self.grid in (x.value, value_of(y))
         return found
 
@@ -78,7 +81,9 @@ class Number:
     """A number under rules."""
 
     def __init__(self, value: mp.mpf, rules: Rules):
-        self.value, self.rules, self.is_grid = value, rules, False  # a multiple of GRID
+        self.value, self.rules = value, rules
+        self.is_grid = False  # a multiple of GRID
+        self.on_grid = False  # a sum with one
 
     def _with(self, function: Callable, *others: object) -> "Number":
         return Number(function(self.value, *map(value_of, others)), self.rules)

@@ -78,7 +78,8 @@ def _included(header: str) -> str:
 @pytest.mark.parametrize("prefix, folder", [("ksl/", INCLUDE), ("", KSL)],
                          ids=["ksl/X.h", "X.h"])
 def test_any_header_may_come_first_and_alone(prefix, folder, compiler, language, tmp_path):
-    sources = [_source(tmp_path, name, _included(prefix + name)) for name in HEADERS]
+    sources = [_source(tmp_path, name, _included(prefix + name), "typedef int something;")
+               for name in HEADERS]
     run((compiler, *language, *CHECK, "-I", folder, *sources))
 
 

@@ -1,5 +1,6 @@
-"""The default integrator's motions against laws and closed forms: what floats free keeps its momentum
-and energy, dampers and stiff motors are followed, bounces keep their speeds' restitution."""
+"""The default integrator's motions against laws and closed forms: what floats free keeps its
+momentum and energy, dampers and stiff motors are followed, bounces keep their speeds'
+restitution."""
 
 import math
 from dataclasses import replace

@@ -1,5 +1,5 @@
-"""What floats free: trees of links whose first joint is free, and on which nothing from outside acts
-but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
+"""What floats free: trees of links whose first joint is free, and on which nothing from outside
+acts but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
 momentum about the centre of mass stays."""
 
 from dataclasses import dataclass, replace

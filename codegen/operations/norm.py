@@ -46,20 +46,23 @@ def divided(x: sp.Matrix, n: sp.Expr) -> sp.Matrix:
     return x.applyfunc(lambda component: component / n)
 
 
-def power_of_two(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
-    """A power of two s such that s x is of the size that norms and quotients by them want."""
+def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = False) -> sp.Expr:
+    """A power of two s such that s x is of the size that norms and quotients by them want; s >= 1
+    of what is `reduced` already."""
     largest, *sizes = let(f"{name}_size", sp.Matrix(x).applyfunc(sp.Abs))
     for number, size in enumerate(sizes, start=1):
         largest = let(f"{name}_largest{number}",
                       sp.Piecewise((size, largest < size), (largest, True)))
-    return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST),
-                                  (REDUCING, LARGE < largest), (sp.Integer(1), True)))
+    large = () if reduced else ((REDUCING, LARGE < largest),)
+    return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST), *large,
+                                  (sp.Integer(1), True)))
 
 
-def inverse_power(let: Let, name: str, s: sp.Expr) -> sp.Expr:
+def inverse_power(let: Let, name: str, s: sp.Expr, reduced: bool = False) -> sp.Expr:
     """1 / s of the power of two s."""
-    return let(name, sp.Piecewise((1 / RAISING, ENLARGING < s), (1 / ENLARGING, 1 < s),
-                                  (1 / REDUCING, s < 1), (sp.Integer(1), True)))
+    large = () if reduced else ((1 / REDUCING, s < 1),)
+    return let(name, sp.Piecewise((1 / RAISING, ENLARGING < s), (1 / ENLARGING, 1 < s), *large,
+                                  (sp.Integer(1), True)))
 
 
 def moderate(let: Let, name: str, x: sp.Matrix) -> sp.Matrix:
@@ -68,11 +71,11 @@ def moderate(let: Let, name: str, x: sp.Matrix) -> sp.Matrix:
     return let(f"scaled_{name}", x.applyfunc(lambda component: scaled(component, s)))
 
 
-def safe_norm(let: Let, x: sp.Matrix) -> sp.Expr:
+def safe_norm(let: Let, x: sp.Matrix, reduced: bool = False) -> sp.Expr:
     """|x|, rounded as if nothing over- or underflowed on the way."""
-    s = power_of_two(let, "s", tuple(x))
+    s = power_of_two(let, "s", tuple(x), reduced)
     y = let("y", x.applyfunc(lambda component: scaled(component, s)))
-    return scaled(let("n", l2(y)), inverse_power(let, "r", s))
+    return scaled(let("n", l2(y)), inverse_power(let, "r", s, reduced))
 
 
 def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:

@@ -96,15 +96,15 @@ def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
     return quaternion(let("sine", sp.sin(half)) * axis, sp.cos(half))
 
 
-def axis_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+def axis_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Matrix]:
     """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times
     a power of two: a subnormal |v| has too few digits for a direction."""
     q = upper(let, q)
     of_v, w = prefixed(let, "v"), scalar_part(q)
-    s = power_of_two(of_v, "s", tuple(vector_part(q)))
+    s = power_of_two(of_v, "s", tuple(vector_part(q)), reduced)
     v = of_v("y", vector_part(q).applyfunc(lambda component: scaled(component, s)))
     n = of_v("n", l2(v))
-    half = let("half", sp.atan2(let("n", scaled(n, inverse_power(of_v, "r", s))), w))
+    half = let("half", sp.atan2(let("n", scaled(n, inverse_power(of_v, "r", s, reduced))), w))
     x, y, z = let("unit", divided(v, let("divisor", nonzero(n))))
     return 2 * half, sp.Matrix([sp.Piecewise((1, sp.Eq(n, 0)), (x, True)), y, z])
 
@@ -122,7 +122,7 @@ def _exp(v: sp.Matrix) -> sp.Matrix:
 
 
 def _log(let: Let, q: sp.Matrix) -> sp.Matrix:
-    return rotation_vector(let, upper(let, moderate(let, "s", q)))[0]
+    return rotation_vector(let, upper(let, moderate(let, "s", q)), reduced=True)[0]
 
 
 def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
@@ -145,7 +145,7 @@ _CONVERSIONS = (
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
         "multiple of a quaternion", (_q,), (_angle, _axis_out),
         lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)),
-        lambda let, q: axis_angle(let, moderate(let, "s", q)),
+        lambda let, q: axis_angle(let, moderate(let, "s", q), reduced=True),
         (Normwise("angle", 6), Normwise("axis", 4))),
     _op("quaternion_exp", "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the "
         "rotation vector v", (_turn,), (_qo,), _exp,

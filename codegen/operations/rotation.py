@@ -75,15 +75,16 @@ def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
     return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, scalar_part(q) < 0), (x, True))))
 
 
-def half_angle(let: Let, q: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """θ/2 = atan2(|v|, w), in [0, π/2]; |v|; and |v|, or 1 where it is zero, to divide by."""
-    n = let("n", safe_norm(prefixed(let, "v"), vector_part(q)))
+    n = let("n", safe_norm(prefixed(let, "v"), vector_part(q), reduced))
     return let("half", sp.atan2(n, scalar_part(q))), n, let("divisor", nonzero(n))
 
 
-def rotation_vector(let: Let, q: sp.Matrix) -> tuple[sp.Matrix, Angle]:
+def rotation_vector(let: Let, q: sp.Matrix,
+                    reduced: bool = False) -> tuple[sp.Matrix, Angle]:
     """θ v / |v|, and θ, of any positive multiple of a quaternion with w >= 0."""
-    half, n, divisor = half_angle(let, q)
+    half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
     k = let("k", theta / divisor)
     return let("vector", k * vector_part(q)), Angle.known(let, theta, n, scalar_part(q))

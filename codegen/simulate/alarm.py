@@ -5,8 +5,9 @@ Looked at are, about 500 times a run:
   much, against the largest kinetic energy so far;
 - energy, where nothing feeds it in or dissipates it: its change, against the same;
 - the step itself: one of h against two of the default integrator's of h/2 from the same state.
-  Where the step resolves neither stiffness nor turns they differ by a good part of the speeds, again and
-  again.  (Two of its own tell less: a saturated motor may stop steps of h and of h/2 alike.)
+  Where the step resolves neither stiffness nor turns they differ by a good part of the speeds,
+  again and again.  (Two of its own tell less: a saturated motor may stop steps of h and of h/2
+  alike.)
 """
 
 from dataclasses import dataclass, field

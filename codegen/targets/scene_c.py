@@ -49,7 +49,7 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
-            render("scene/scene.c", products=PRECISIONS, **shared))
+            render("scene/scene.c", products=named(scene.precisions), **shared))
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:

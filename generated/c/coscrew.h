@@ -14290,7 +14290,7 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
   const double s_size_0 = fabs(q->x);
@@ -14316,17 +14316,15 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
-      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
-      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -14419,7 +14417,7 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
@@ -14445,17 +14443,15 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
-      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
-      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
@@ -15766,7 +15762,7 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
   const float s_size_0 = fabsf(q->x);
@@ -15792,16 +15788,15 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
-      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
+  const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
   const float v_y_0 = KSL_MULF(upper_0, v_s);
   const float v_y_1 = KSL_MULF(upper_1, v_s);
   const float v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
-      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
+  const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
@@ -15892,7 +15887,7 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const float s_size_0 = fabsf(q->x);
@@ -15918,16 +15913,15 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
-      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
-      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
+  const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
   const float v_y_0 = KSL_MULF(upper_0, v_s);
   const float v_y_1 = KSL_MULF(upper_1, v_s);
   const float v_y_2 = KSL_MULF(upper_2, v_s);
   const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
-  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
-      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
+  const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
   const float half = atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;

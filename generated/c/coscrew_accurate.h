@@ -18765,8 +18765,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-     less, 8 equal, 31 select.
+   27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+     less, 8 equal, 29 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
@@ -18793,9 +18793,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
-      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
@@ -18817,9 +18816,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
-      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -18886,8 +18884,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-     less, 7 equal, 28 select.
+   29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+     less, 7 equal, 26 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
@@ -18913,9 +18911,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
-      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
@@ -18937,9 +18934,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       v_n_rest = v_n_of_v_n_e - v_n_product, v_n_exact = v_n_rest - v_n_product_error,
       v_n_residual = v_n_exact + v_n_of_v_n_e_lo, v_n_twice = v_n + v_n,
       v_n_divisor = v_n == 0.0 ? 1.0 : v_n_twice, v_n_lo = v_n_residual / v_n_divisor;
-  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
-      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
-      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n_of_v_n = v_n + v_n_lo, n_of_v_n_right = n_of_v_n - v_n,
       n_of_v_n_left = n_of_v_n - n_of_v_n_right, n_of_v_n_left_rest = v_n - n_of_v_n_left,
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
@@ -20098,7 +20094,7 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
      nothing turns; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.
+   12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis) {
@@ -20125,17 +20121,15 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
-      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : 1.0,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
-      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
@@ -20152,7 +20146,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.
+   15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
   const double s_size_0 = fabs((double)q->x);
@@ -20178,17 +20172,15 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
-  const double v_s_b = 4.611686018427388e+18 < v_s_largest2 ? 2.710505431213761e-20 : 1.0,
-      v_s_d = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : v_s_b,
-      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_d;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.8014398509481984e+16 : 1.0,
+      v_s = v_s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : v_s_b;
   const double v_y_0 = KSL_MUL(upper_0, v_s);
   const double v_y_1 = KSL_MUL(upper_1, v_s);
   const double v_y_2 = KSL_MUL(upper_2, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
       v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
-  const double v_r_b = v_s < 1.0 ? 3.6893488147419103e+19 : 1.0,
-      v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
-      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
+  const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
+      v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;

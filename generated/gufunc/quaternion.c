@@ -4830,7 +4830,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "nothing turns; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=\n"
+    "12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=\n"
     "angle: 6 u, axis: 4 u of its largest component; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4)",
@@ -4846,7 +4846,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=\n"
+    "15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=\n"
     "vo: 6 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {"quaternion_interpolated", "(4),(4),()->(4)",

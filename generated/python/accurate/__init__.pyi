@@ -1615,8 +1615,8 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 8 equal, 31 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
+    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+    less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
     searched, not proved.
     """
 
@@ -1625,8 +1625,8 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 7 equal, 28 select.  Error <= vo: 6 u of its largest component; searched, not proved.
+    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+    less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:

@@ -2017,7 +2017,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
     angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
 
@@ -2035,7 +2035,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
     vo: 6 u of its largest component; searched, not proved.
     """
 

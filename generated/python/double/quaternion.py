@@ -980,7 +980,7 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
     angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1007,16 +1007,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
@@ -1131,7 +1129,7 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
     vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1158,16 +1156,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)

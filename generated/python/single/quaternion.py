@@ -979,7 +979,7 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 20 select.  Error <=
+    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
     angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1006,15 +1006,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float32(1.8014399e+16), float32(1))
+    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(1 < v_s, float32(5.551115e-17), float32(1))
+    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
@@ -1125,7 +1124,7 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 15 less, 1 equal, 19 select.  Error <=
+    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
     vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1152,15 +1151,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float32(1.8014399e+16), float32(1))
+    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(1 < v_s, float32(5.551115e-17), float32(1))
+    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)

@@ -2812,8 +2812,8 @@ def axis_angle_from_quaternion(q):
     nothing turns; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 8 equal, 31 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
+    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+    less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
     searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -2840,9 +2840,8 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2865,9 +2864,8 @@ def axis_angle_from_quaternion(q):
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
@@ -2929,8 +2927,8 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 16
-    less, 7 equal, 28 select.  Error <= vo: 6 u of its largest component; searched, not proved.
+    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
+    less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -2956,9 +2954,8 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(6.703903964971299e+153 < v_s_largest2, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2981,9 +2978,8 @@ def quaternion_log(q):
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
     v_n_residual = v_n_exact + v_n_of_v_n_e_lo
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r
