@@ -8208,7 +8208,7 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -8227,11 +8227,22 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs(self->m0);
+  const double beside_1 = fabs(self->m1);
+  const double beside_2 = fabs(self->m2);
+  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
+      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(self->m0, up);
   const double enlarged_1 = KSL_MUL(self->m1, up);
   const double enlarged_2 = KSL_MUL(self->m2, up);
@@ -8260,7 +8271,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -8279,11 +8290,22 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs(si->m0);
+  const double beside_1 = fabs(si->m1);
+  const double beside_2 = fabs(si->m2);
+  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
+      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(si->m0, up);
   const double enlarged_1 = KSL_MUL(si->m1, up);
   const double enlarged_2 = KSL_MUL(si->m2, up);
@@ -9382,7 +9404,7 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -9401,11 +9423,22 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_0 = fabsf(self->m0);
+  const float beside_1 = fabsf(self->m1);
+  const float beside_2 = fabsf(self->m2);
+  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
+      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
+      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
+      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
+      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(self->m0, up);
   const float enlarged_1 = KSL_MULF(self->m1, up);
   const float enlarged_2 = KSL_MULF(self->m2, up);
@@ -9434,7 +9467,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -9453,11 +9486,22 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_0 = fabsf(si->m0);
+  const float beside_1 = fabsf(si->m1);
+  const float beside_2 = fabsf(si->m2);
+  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
+      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
+      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
+      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
+      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(si->m0, up);
   const float enlarged_1 = KSL_MULF(si->m1, up);
   const float enlarged_2 = KSL_MULF(si->m2, up);
@@ -10678,7 +10722,7 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
@@ -10697,11 +10741,22 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(self->m3);
+  const double beside_4 = fabs(self->m4);
+  const double beside_5 = fabs(self->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(self->m0, up);
   const double enlarged_1 = KSL_MUL(self->m1, up);
   const double enlarged_2 = KSL_MUL(self->m2, up);
@@ -10730,7 +10785,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -10749,11 +10804,22 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(ci->m3);
+  const double beside_4 = fabs(ci->m4);
+  const double beside_5 = fabs(ci->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(ci->m0, up);
   const double enlarged_1 = KSL_MUL(ci->m1, up);
   const double enlarged_2 = KSL_MUL(ci->m2, up);
@@ -12051,7 +12117,7 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -12070,11 +12136,22 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_3 = fabsf(self->m3);
+  const float beside_4 = fabsf(self->m4);
+  const float beside_5 = fabsf(self->m5);
+  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
+      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
+      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
+      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
+      room = small_g < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(self->m0, up);
   const float enlarged_1 = KSL_MULF(self->m1, up);
   const float enlarged_2 = KSL_MULF(self->m2, up);
@@ -12103,7 +12180,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -12122,11 +12199,22 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_3 = fabsf(ci->m3);
+  const float beside_4 = fabsf(ci->m4);
+  const float beside_5 = fabsf(ci->m5);
+  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
+      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
+      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
+      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
+      room = small_g < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(ci->m0, up);
   const float enlarged_1 = KSL_MULF(ci->m1, up);
   const float enlarged_2 = KSL_MULF(ci->m2, up);

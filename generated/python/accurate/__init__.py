@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "26b9f94b2a14c654")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "1960732c61da4da8")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

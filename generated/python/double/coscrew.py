@@ -218,12 +218,14 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
+    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
-    small_c = where(absolute(self_2) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(self_1) < 1e-09, small_c, 0)
-    small = where(absolute(self_0) < 1e-09, small_f, 0)
+    small_a = absolute(self_2)
+    small_d = absolute(self_1)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(self_0)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, self_3, self_0)
     p_1 = where(small == 1, self_4, self_1)
     p_2 = where(small == 1, self_5, self_2)
@@ -238,10 +240,21 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_3 = absolute(self_3)
+    beside_4 = absolute(self_4)
+    beside_5 = absolute(self_5)
+    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
+    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
+    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
+    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
+    room = where(small_g < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, up, n)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled = n * back
+    divisor = where(unscaled == 0, up, unscaled)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -268,12 +281,14 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
+    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(ci_1) < 1e-09, small_c, 0)
-    small = where(absolute(ci_0) < 1e-09, small_f, 0)
+    small_a = absolute(ci_2)
+    small_d = absolute(ci_1)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(ci_0)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, ci_3, ci_0)
     p_1 = where(small == 1, ci_4, ci_1)
     p_2 = where(small == 1, ci_5, ci_2)
@@ -288,10 +303,21 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_3 = absolute(ci_3)
+    beside_4 = absolute(ci_4)
+    beside_5 = absolute(ci_5)
+    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
+    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
+    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
+    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
+    room = where(small_g < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, up, n)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled = n * back
+    divisor = where(unscaled == 0, up, unscaled)
     enlarged_0 = ci_0 * up
     enlarged_1 = ci_1 * up
     enlarged_2 = ci_2 * up

@@ -218,12 +218,14 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
+    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
-    small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(self_4) < 1e-09, small_c, 0)
-    small = where(absolute(self_3) < 1e-09, small_f, 0)
+    small_a = absolute(self_5)
+    small_d = absolute(self_4)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(self_3)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, self_0, self_3)
     p_1 = where(small == 1, self_1, self_4)
     p_2 = where(small == 1, self_2, self_5)
@@ -238,10 +240,21 @@ def screw_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_0 = absolute(self_0)
+    beside_1 = absolute(self_1)
+    beside_2 = absolute(self_2)
+    room_b = where(small_a < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(small_d < 6.703903964971299e+153, room_b, 0)
+    room_f = where(small_g < 6.703903964971299e+153, room_d, 0)
+    room_h = where(beside_2 < 6.703903964971299e+153, room_f, 0)
+    room_j = where(beside_1 < 6.703903964971299e+153, room_h, 0)
+    room = where(beside_0 < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, up, n)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled = n * back
+    divisor = where(unscaled == 0, up, unscaled)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -268,12 +281,14 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select.
+    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
-    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    small_a = absolute(si_5)
+    small_d = absolute(si_4)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(si_3)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, si_0, si_3)
     p_1 = where(small == 1, si_1, si_4)
     p_2 = where(small == 1, si_2, si_5)
@@ -288,10 +303,21 @@ def screw_normalized(si):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_0 = absolute(si_0)
+    beside_1 = absolute(si_1)
+    beside_2 = absolute(si_2)
+    room_b = where(small_a < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(small_d < 6.703903964971299e+153, room_b, 0)
+    room_f = where(small_g < 6.703903964971299e+153, room_d, 0)
+    room_h = where(beside_2 < 6.703903964971299e+153, room_f, 0)
+    room_j = where(beside_1 < 6.703903964971299e+153, room_h, 0)
+    room = where(beside_0 < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    divisor = where(n == 0, up, n)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled = n * back
+    divisor = where(unscaled == 0, up, unscaled)
     enlarged_0 = si_0 * up
     enlarged_1 = si_1 * up
     enlarged_2 = si_2 * up

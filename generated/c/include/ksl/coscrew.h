@@ -245,7 +245,7 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
@@ -264,11 +264,22 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(self->m3);
+  const double beside_4 = fabs(self->m4);
+  const double beside_5 = fabs(self->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(self->m0, up);
   const double enlarged_1 = KSL_MUL(self->m1, up);
   const double enlarged_2 = KSL_MUL(self->m2, up);
@@ -297,7 +308,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -316,11 +327,22 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(ci->m3);
+  const double beside_4 = fabs(ci->m4);
+  const double beside_5 = fabs(ci->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL(ci->m0, up);
   const double enlarged_1 = KSL_MUL(ci->m1, up);
   const double enlarged_2 = KSL_MUL(ci->m2, up);
@@ -1618,7 +1640,7 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -1637,11 +1659,22 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_3 = fabsf(self->m3);
+  const float beside_4 = fabsf(self->m4);
+  const float beside_5 = fabsf(self->m5);
+  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
+      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
+      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
+      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
+      room = small_g < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(self->m0, up);
   const float enlarged_1 = KSL_MULF(self->m1, up);
   const float enlarged_2 = KSL_MULF(self->m2, up);
@@ -1670,7 +1703,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -1689,11 +1722,22 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float up = 1.0f < s ? s : 1.0f;
+  const float beside_3 = fabsf(ci->m3);
+  const float beside_4 = fabsf(ci->m4);
+  const float beside_5 = fabsf(ci->m5);
+  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
+      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
+      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
+      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
+      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
+      room = small_g < 4.611686e+18f ? room_j : 0.0f;
+  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float divisor = n == 0.0f ? up : n;
+  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
+  const float unscaled = KSL_MULF(n, back);
+  const float divisor = unscaled == 0.0f ? up : unscaled;
   const float enlarged_0 = KSL_MULF(ci->m0, up);
   const float enlarged_1 = KSL_MULF(ci->m1, up);
   const float enlarged_2 = KSL_MULF(ci->m2, up);

@@ -331,7 +331,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
+   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -351,7 +351,16 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(self->m3);
+  const double beside_4 = fabs(self->m4);
+  const double beside_5 = fabs(self->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -368,13 +377,26 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
+      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
+      unscaled_of_n_left_rest = n - unscaled_of_n_left,
+      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
+      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
+      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
+      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
+      unscaled_lost = unscaled_of_n - unscaled_back,
+      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
+      unscaled_small = KSL_MUL(unscaled_rest, back),
+      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
+  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
+      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
+      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
+      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
+      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
+      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
   const double enlarged_0 = KSL_MUL(self->m0, up);
   const double enlarged_1 = KSL_MUL(self->m1, up);
   const double enlarged_2 = KSL_MUL(self->m2, up);
@@ -529,7 +551,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
+   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -549,7 +571,16 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs(ci->m3);
+  const double beside_4 = fabs(ci->m4);
+  const double beside_5 = fabs(ci->m5);
+  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
+      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -566,13 +597,26 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
+      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
+      unscaled_of_n_left_rest = n - unscaled_of_n_left,
+      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
+      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
+      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
+      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
+      unscaled_lost = unscaled_of_n - unscaled_back,
+      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
+      unscaled_small = KSL_MUL(unscaled_rest, back),
+      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
+  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
+      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
+      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
+      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
+      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
+      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
   const double enlarged_0 = KSL_MUL(ci->m0, up);
   const double enlarged_1 = KSL_MUL(ci->m1, up);
   const double enlarged_2 = KSL_MUL(ci->m2, up);
@@ -2797,7 +2841,7 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double small_a = fabs((double)self->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
@@ -2817,11 +2861,22 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs((double)self->m3);
+  const double beside_4 = fabs((double)self->m4);
+  const double beside_5 = fabs((double)self->m5);
+  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
+      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
+      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
+      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
+      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
+      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL((double)self->m0, up);
   const double enlarged_1 = KSL_MUL((double)self->m1, up);
   const double enlarged_2 = KSL_MUL((double)self->m2, up);
@@ -2850,7 +2905,7 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double small_a = fabs((double)ci->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
@@ -2870,11 +2925,22 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_3 = fabs((double)ci->m3);
+  const double beside_4 = fabs((double)ci->m4);
+  const double beside_5 = fabs((double)ci->m5);
+  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
+      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
+      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
+      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
+      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
+      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL((double)ci->m0, up);
   const double enlarged_1 = KSL_MUL((double)ci->m1, up);
   const double enlarged_2 = KSL_MUL((double)ci->m2, up);

@@ -330,7 +330,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
+   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -350,7 +350,16 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs(self->m0);
+  const double beside_1 = fabs(self->m1);
+  const double beside_2 = fabs(self->m2);
+  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
+      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -367,13 +376,26 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
+      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
+      unscaled_of_n_left_rest = n - unscaled_of_n_left,
+      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
+      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
+      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
+      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
+      unscaled_lost = unscaled_of_n - unscaled_back,
+      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
+      unscaled_small = KSL_MUL(unscaled_rest, back),
+      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
+  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
+      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
+      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
+      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
+      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
+      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
   const double enlarged_0 = KSL_MUL(self->m0, up);
   const double enlarged_1 = KSL_MUL(self->m1, up);
   const double enlarged_2 = KSL_MUL(self->m2, up);
@@ -528,7 +550,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal, 28
+   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -548,7 +570,16 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs(si->m0);
+  const double beside_1 = fabs(si->m1);
+  const double beside_2 = fabs(si->m2);
+  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
+      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
+      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
+      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
+      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
+      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -565,13 +596,26 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
+      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
+      unscaled_of_n_left_rest = n - unscaled_of_n_left,
+      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
+      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
+      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
+      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
+      unscaled_lost = unscaled_of_n - unscaled_back,
+      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
+      unscaled_small = KSL_MUL(unscaled_rest, back),
+      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
+  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
+      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
+      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
+      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
+      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
+      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
+      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
   const double enlarged_0 = KSL_MUL(si->m0, up);
   const double enlarged_1 = KSL_MUL(si->m1, up);
   const double enlarged_2 = KSL_MUL(si->m2, up);
@@ -2287,7 +2331,7 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double small_a = fabs((double)self->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
@@ -2307,11 +2351,22 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs((double)self->m0);
+  const double beside_1 = fabs((double)self->m1);
+  const double beside_2 = fabs((double)self->m2);
+  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
+      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
+      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
+      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
+      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
+      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL((double)self->m0, up);
   const double enlarged_1 = KSL_MUL((double)self->m1, up);
   const double enlarged_2 = KSL_MUL((double)self->m2, up);
@@ -2340,7 +2395,7 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   18 mul, 2 add, 6 div, 1 sqrt, 6 abs, 10 less, 2 equal, 14 select. */
+   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
 static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -2360,11 +2415,22 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double up = 1.0 < s ? s : 1.0;
+  const double beside_0 = fabs((double)si->m0);
+  const double beside_1 = fabs((double)si->m1);
+  const double beside_2 = fabs((double)si->m2);
+  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
+      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
+      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
+      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
+      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
+      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
+  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double divisor = n == 0.0 ? up : n;
+  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
+  const double unscaled = KSL_MUL(n, back);
+  const double divisor = unscaled == 0.0 ? up : unscaled;
   const double enlarged_0 = KSL_MUL((double)si->m0, up);
   const double enlarged_1 = KSL_MUL((double)si->m1, up);
   const double enlarged_2 = KSL_MUL((double)si->m2, up);

@@ -285,13 +285,15 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
-    28 select.
+    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
+    38 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
-    small_c = where(absolute(self_2) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(self_1) < 1e-09, small_c, 0)
-    small = where(absolute(self_0) < 1e-09, small_f, 0)
+    small_a = absolute(self_2)
+    small_d = absolute(self_1)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(self_0)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, self_3, self_0)
     p_1 = where(small == 1, self_4, self_1)
     p_2 = where(small == 1, self_5, self_2)
@@ -306,7 +308,16 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_3 = absolute(self_3)
+    beside_4 = absolute(self_4)
+    beside_5 = absolute(self_5)
+    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
+    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
+    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
+    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
+    room = where(small_g < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -325,11 +336,23 @@ def coscrew_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled_of_n = n + n_lo
+    unscaled_of_n_right = unscaled_of_n - n
+    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
+    unscaled = unscaled_of_n * back
+    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
+    unscaled_rest = unscaled_lost + unscaled_of_n_lo
+    unscaled_small = unscaled_rest * back
+    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
+    divisor_a_of_unscaled = unscaled + unscaled_lo
+    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
+    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
+    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
+    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
+    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -464,13 +487,15 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
-    28 select.
+    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
+    38 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(ci_1) < 1e-09, small_c, 0)
-    small = where(absolute(ci_0) < 1e-09, small_f, 0)
+    small_a = absolute(ci_2)
+    small_d = absolute(ci_1)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(ci_0)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, ci_3, ci_0)
     p_1 = where(small == 1, ci_4, ci_1)
     p_2 = where(small == 1, ci_5, ci_2)
@@ -485,7 +510,16 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_3 = absolute(ci_3)
+    beside_4 = absolute(ci_4)
+    beside_5 = absolute(ci_5)
+    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
+    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
+    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
+    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
+    room = where(small_g < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -504,11 +538,23 @@ def coscrew_normalized(ci):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled_of_n = n + n_lo
+    unscaled_of_n_right = unscaled_of_n - n
+    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
+    unscaled = unscaled_of_n * back
+    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
+    unscaled_rest = unscaled_lost + unscaled_of_n_lo
+    unscaled_small = unscaled_rest * back
+    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
+    divisor_a_of_unscaled = unscaled + unscaled_lo
+    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
+    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
+    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
+    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
+    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
     enlarged_0 = ci_0 * up
     enlarged_1 = ci_1 * up
     enlarged_2 = ci_2 * up

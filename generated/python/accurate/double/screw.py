@@ -285,13 +285,15 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
-    28 select.
+    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
+    38 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
-    small_c = where(absolute(self_5) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(self_4) < 1e-09, small_c, 0)
-    small = where(absolute(self_3) < 1e-09, small_f, 0)
+    small_a = absolute(self_5)
+    small_d = absolute(self_4)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(self_3)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, self_0, self_3)
     p_1 = where(small == 1, self_1, self_4)
     p_2 = where(small == 1, self_2, self_5)
@@ -306,7 +308,16 @@ def screw_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_0 = absolute(self_0)
+    beside_1 = absolute(self_1)
+    beside_2 = absolute(self_2)
+    room_b = where(small_a < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(small_d < 6.703903964971299e+153, room_b, 0)
+    room_f = where(small_g < 6.703903964971299e+153, room_d, 0)
+    room_h = where(beside_2 < 6.703903964971299e+153, room_f, 0)
+    room_j = where(beside_1 < 6.703903964971299e+153, room_h, 0)
+    room = where(beside_0 < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -325,11 +336,23 @@ def screw_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled_of_n = n + n_lo
+    unscaled_of_n_right = unscaled_of_n - n
+    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
+    unscaled = unscaled_of_n * back
+    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
+    unscaled_rest = unscaled_lost + unscaled_of_n_lo
+    unscaled_small = unscaled_rest * back
+    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
+    divisor_a_of_unscaled = unscaled + unscaled_lo
+    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
+    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
+    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
+    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
+    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
     enlarged_0 = self_0 * up
     enlarged_1 = self_1 * up
     enlarged_2 = self_2 * up
@@ -464,13 +487,15 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 14 div, 1 sqrt, 6 abs, 10 less, 15 equal,
-    28 select.
+    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
+    38 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
-    small = where(absolute(si_3) < 1e-09, small_f, 0)
+    small_a = absolute(si_5)
+    small_d = absolute(si_4)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
+    small_g = absolute(si_3)
+    small = where(small_g < 1e-09, small_f, 0)
     p_0 = where(small == 1, si_0, si_3)
     p_1 = where(small == 1, si_1, si_4)
     p_2 = where(small == 1, si_2, si_5)
@@ -485,7 +510,16 @@ def screw_normalized(si):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    up = where(1 < s, s, 1)
+    beside_0 = absolute(si_0)
+    beside_1 = absolute(si_1)
+    beside_2 = absolute(si_2)
+    room_b = where(small_a < 6.703903964971299e+153, float64(1), float64(0))
+    room_d = where(small_d < 6.703903964971299e+153, room_b, 0)
+    room_f = where(small_g < 6.703903964971299e+153, room_d, 0)
+    room_h = where(beside_2 < 6.703903964971299e+153, room_f, 0)
+    room_j = where(beside_1 < 6.703903964971299e+153, room_h, 0)
+    room = where(beside_0 < 6.703903964971299e+153, room_j, 0)
+    up = where(room == 1, where(1 < s, s, 1), 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -504,11 +538,23 @@ def screw_normalized(si):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
+    unscaled_of_n = n + n_lo
+    unscaled_of_n_right = unscaled_of_n - n
+    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
+    unscaled = unscaled_of_n * back
+    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
+    unscaled_rest = unscaled_lost + unscaled_of_n_lo
+    unscaled_small = unscaled_rest * back
+    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
+    divisor_a_of_unscaled = unscaled + unscaled_lo
+    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
+    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
+    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
+    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
+    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
+    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
     enlarged_0 = si_0 * up
     enlarged_1 = si_1 * up
     enlarged_2 = si_2 * up
