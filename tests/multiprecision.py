@@ -1,8 +1,8 @@
 """Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
 
 In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
-So, where asked for, roots, quotients, sums with multiples of GRID, and squares of such sums, which
-are exact if they are right, are rounded as in the kernel's precision; all else never is.
+So, where asked for, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
+which are exact if they are right, are rounded as in the kernel's precision; all else never is.
 """
 
 import operator
@@ -66,8 +66,10 @@ class Rules:
 
     def product(self, x: "Number", y: object) -> "Number":
         square = x.on_grid and getattr(y, "on_grid", False) and x.value == y.value
-        found = x._with(partial(self.rounded, operator.mul) if square else operator.mul, y)
-        found.is_grid = self.grid in (x.value, value_of(y))
+        is_grid = self.grid in (x.value, value_of(y))
+        found = x._with(partial(self.rounded, operator.mul) if square or is_grid else
+                        operator.mul, y)
+        found.is_grid = is_grid
         return found
 
     def quotient(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
