@@ -37,6 +37,9 @@ def rows(kind: str, precision: Precision) -> np.ndarray:
     least = info.minexp - info.nmant
     x = rng.uniform(0.5, 1, (ROWS, n)) * rng.choice((-1, 1), (ROWS, n))
     sizes = np.linspace(least + 1, info.maxexp, ROWS).round().astype(int)[:, None]
+    if kind in ("screw", "coscrew"):  # the parts' sizes apart, in half of the rows
+        other = np.where(rng.uniform(size=(ROWS, 1)) < 0.5, sizes, rng.permutation(sizes))
+        sizes = np.hstack((np.repeat(sizes, 3, axis=1), np.repeat(other, 3, axis=1)))
     apart = rng.choice((0, 3, info.nmant, 4 * info.nmant), (ROWS, 1))
     with np.errstate(under="ignore", over="ignore"):
         x = np.ldexp(x, (sizes - (rng.uniform(0, 1, (ROWS, n)) * apart).astype(int)))

@@ -79,25 +79,24 @@ def safe_norm(let: Let, x: sp.Matrix, reduced: bool = False) -> sp.Expr:
 
 
 def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
-    """x / |part|, the zero quantity unchanged.  Enlarged before the division or reduced after it,
-    so that no component loses digits the result has."""
+    """x / |part|, the zero part's x unchanged.  Small components are enlarged before the division
+    and reduced after it, others the other way round, so that no component loses digits the result
+    has, and none overflows on the way."""
     s = power_of_two(let, "s", tuple(part))
     y = let("y", part.applyfunc(lambda component: scaled(component, s)))
-    if x != part:  # what stands beside the part must not overflow: then the norm is brought back
-        sizes = let("beside", x.applyfunc(sp.Abs))
-        room = let("room", sp.Piecewise((1, sp.And(*(size < LARGE for size in sizes))), (0, True)))
-        enlarged, brought_back = (sp.And(sp.Eq(room, flag), 1 < s) for flag in (1, 0))
-    else:
-        enlarged = 1 < s
-    up = let("up", sp.Piecewise((s, enlarged), (sp.Integer(1), True)))
+    up = let("up", sp.Piecewise((s, 1 < s), (sp.Integer(1), True)))
     down = let("down", sp.Piecewise((s, s < 1), (sp.Integer(1), True)))
     n = let("n", l2(y))
-    if x != part:
-        back = let("back", sp.Piecewise((1 / ENLARGING, brought_back), (1, True)))
-        n = let("unscaled", scaled(n, back))
     divisor = let("divisor", sp.Piecewise((up, sp.Eq(n, 0)), (n, True)))
-    q = divided(let("enlarged", x.applyfunc(lambda component: scaled(component, up))), divisor)
-    return let("quotient", q).applyfunc(lambda component: scaled(component, down))
+    before, after = sp.Matrix([up] * len(x)), sp.Matrix([down] * len(x))
+    if x != part:  # within the part, all are small where it is enlarged
+        sizes = let("size", x.applyfunc(sp.Abs))
+        before = let("before", sizes.applyfunc(
+            lambda size: sp.Piecewise((up, size < MODEST), (down, True))))
+        after = let("after", sizes.applyfunc(
+            lambda size: sp.Piecewise((down, size < MODEST), (up, True))))
+    q = divided(let("sized", sp.Matrix(list(map(scaled, x, before)))), divisor)
+    return sp.Matrix(list(map(scaled, let("quotient", q), after)))
 
 
 def prefixed(let: Let, prefix: str) -> Let:

@@ -594,12 +594,12 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -628,12 +628,12 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);
@@ -1055,12 +1055,12 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(self->x, up);
-  const float enlarged_1 = KSL_MULF(self->y, up);
-  const float enlarged_2 = KSL_MULF(self->z, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
+  const float sized_0 = KSL_MULF(self->x, up);
+  const float sized_1 = KSL_MULF(self->y, up);
+  const float sized_2 = KSL_MULF(self->z, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
   const float self_0_new = KSL_MULF(quotient_0, down);
   const float self_1_new = KSL_MULF(quotient_1, down);
   const float self_2_new = KSL_MULF(quotient_2, down);
@@ -1089,12 +1089,12 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(v->x, up);
-  const float enlarged_1 = KSL_MULF(v->y, up);
-  const float enlarged_2 = KSL_MULF(v->z, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
+  const float sized_0 = KSL_MULF(v->x, up);
+  const float sized_1 = KSL_MULF(v->y, up);
+  const float sized_2 = KSL_MULF(v->z, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
   const float vo_0 = KSL_MULF(quotient_0, down);
   const float vo_1 = KSL_MULF(quotient_1, down);
   const float vo_2 = KSL_MULF(quotient_2, down);
@@ -1647,14 +1647,14 @@ static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double enlarged_3 = KSL_MUL(self->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double sized_3 = KSL_MUL(self->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -1689,14 +1689,14 @@ static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
-  const double enlarged_3 = KSL_MUL(v->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
+  const double sized_3 = KSL_MUL(v->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);
@@ -1866,14 +1866,14 @@ static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
       n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(self->x, up);
-  const float enlarged_1 = KSL_MULF(self->y, up);
-  const float enlarged_2 = KSL_MULF(self->z, up);
-  const float enlarged_3 = KSL_MULF(self->w, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
+  const float sized_0 = KSL_MULF(self->x, up);
+  const float sized_1 = KSL_MULF(self->y, up);
+  const float sized_2 = KSL_MULF(self->z, up);
+  const float sized_3 = KSL_MULF(self->w, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
   const float self_0_new = KSL_MULF(quotient_0, down);
   const float self_1_new = KSL_MULF(quotient_1, down);
   const float self_2_new = KSL_MULF(quotient_2, down);
@@ -1908,14 +1908,14 @@ static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
       n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(v->x, up);
-  const float enlarged_1 = KSL_MULF(v->y, up);
-  const float enlarged_2 = KSL_MULF(v->z, up);
-  const float enlarged_3 = KSL_MULF(v->w, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
+  const float sized_0 = KSL_MULF(v->x, up);
+  const float sized_1 = KSL_MULF(v->y, up);
+  const float sized_2 = KSL_MULF(v->z, up);
+  const float sized_3 = KSL_MULF(v->w, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
   const float vo_0 = KSL_MULF(quotient_0, down);
   const float vo_1 = KSL_MULF(quotient_1, down);
   const float vo_2 = KSL_MULF(quotient_2, down);
@@ -2262,12 +2262,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL(self->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(self->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(self->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL(self->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(self->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -2288,12 +2288,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL(self->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(self->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(self->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL(self->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(self->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -2336,12 +2336,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL(self->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(self->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(self->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL(self->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(self->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -2396,12 +2396,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL(R->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(R->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(R->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL(R->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(R->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -2422,12 +2422,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL(R->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(R->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(R->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL(R->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(R->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -2470,12 +2470,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL(R->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(R->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(R->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL(R->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(R->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -3120,12 +3120,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = KSL_MULF(self->m00, q0_up);
-  const float q0_enlarged_1 = KSL_MULF(self->m01, q0_up);
-  const float q0_enlarged_2 = KSL_MULF(self->m02, q0_up);
-  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_sized_0 = KSL_MULF(self->m00, q0_up);
+  const float q0_sized_1 = KSL_MULF(self->m01, q0_up);
+  const float q0_sized_2 = KSL_MULF(self->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
   const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
   const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
   const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
@@ -3146,12 +3146,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = KSL_MULF(self->m10, u1_up);
-  const float u1_enlarged_1 = KSL_MULF(self->m11, u1_up);
-  const float u1_enlarged_2 = KSL_MULF(self->m12, u1_up);
-  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_sized_0 = KSL_MULF(self->m10, u1_up);
+  const float u1_sized_1 = KSL_MULF(self->m11, u1_up);
+  const float u1_sized_2 = KSL_MULF(self->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
   const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
   const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
   const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
@@ -3194,12 +3194,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = KSL_MULF(self->m20, u2_up);
-  const float u2_enlarged_1 = KSL_MULF(self->m21, u2_up);
-  const float u2_enlarged_2 = KSL_MULF(self->m22, u2_up);
-  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_sized_0 = KSL_MULF(self->m20, u2_up);
+  const float u2_sized_1 = KSL_MULF(self->m21, u2_up);
+  const float u2_sized_2 = KSL_MULF(self->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
   const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
   const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
   const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
@@ -3254,12 +3254,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = KSL_MULF(R->m00, q0_up);
-  const float q0_enlarged_1 = KSL_MULF(R->m01, q0_up);
-  const float q0_enlarged_2 = KSL_MULF(R->m02, q0_up);
-  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_sized_0 = KSL_MULF(R->m00, q0_up);
+  const float q0_sized_1 = KSL_MULF(R->m01, q0_up);
+  const float q0_sized_2 = KSL_MULF(R->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
   const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
   const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
   const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
@@ -3280,12 +3280,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = KSL_MULF(R->m10, u1_up);
-  const float u1_enlarged_1 = KSL_MULF(R->m11, u1_up);
-  const float u1_enlarged_2 = KSL_MULF(R->m12, u1_up);
-  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_sized_0 = KSL_MULF(R->m10, u1_up);
+  const float u1_sized_1 = KSL_MULF(R->m11, u1_up);
+  const float u1_sized_2 = KSL_MULF(R->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
   const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
   const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
   const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
@@ -3328,12 +3328,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = KSL_MULF(R->m20, u2_up);
-  const float u2_enlarged_1 = KSL_MULF(R->m21, u2_up);
-  const float u2_enlarged_2 = KSL_MULF(R->m22, u2_up);
-  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_sized_0 = KSL_MULF(R->m20, u2_up);
+  const float u2_sized_1 = KSL_MULF(R->m21, u2_up);
+  const float u2_sized_2 = KSL_MULF(R->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
   const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
   const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
   const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
@@ -8208,7 +8208,7 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -8227,40 +8227,44 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(self->m0);
-  const double beside_1 = fabs(self->m1);
-  const double beside_2 = fabs(self->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs(self->m0);
+  const double size_1 = fabs(self->m1);
+  const double size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -8271,7 +8275,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -8290,40 +8294,44 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(si->m0);
-  const double beside_1 = fabs(si->m1);
-  const double beside_2 = fabs(si->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(si->m0, up);
-  const double enlarged_1 = KSL_MUL(si->m1, up);
-  const double enlarged_2 = KSL_MUL(si->m2, up);
-  const double enlarged_3 = KSL_MUL(si->m3, up);
-  const double enlarged_4 = KSL_MUL(si->m4, up);
-  const double enlarged_5 = KSL_MUL(si->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, down);
-  const double so_1 = KSL_MUL(quotient_1, down);
-  const double so_2 = KSL_MUL(quotient_2, down);
-  const double so_3 = KSL_MUL(quotient_3, down);
-  const double so_4 = KSL_MUL(quotient_4, down);
-  const double so_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs(si->m0);
+  const double size_1 = fabs(si->m1);
+  const double size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0);
+  const double sized_1 = KSL_MUL(si->m1, before_1);
+  const double sized_2 = KSL_MUL(si->m2, before_2);
+  const double sized_3 = KSL_MUL(si->m3, before_3);
+  const double sized_4 = KSL_MUL(si->m4, before_4);
+  const double sized_5 = KSL_MUL(si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0);
+  const double so_1 = KSL_MUL(quotient_1, after_1);
+  const double so_2 = KSL_MUL(quotient_2, after_2);
+  const double so_3 = KSL_MUL(quotient_3, after_3);
+  const double so_4 = KSL_MUL(quotient_4, after_4);
+  const double so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -9404,7 +9412,7 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -9423,40 +9431,44 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_0 = fabsf(self->m0);
-  const float beside_1 = fabsf(self->m1);
-  const float beside_2 = fabsf(self->m2);
-  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
-      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
-      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
-      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
-      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(self->m0, up);
-  const float enlarged_1 = KSL_MULF(self->m1, up);
-  const float enlarged_2 = KSL_MULF(self->m2, up);
-  const float enlarged_3 = KSL_MULF(self->m3, up);
-  const float enlarged_4 = KSL_MULF(self->m4, up);
-  const float enlarged_5 = KSL_MULF(self->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
-  const float self_4_new = KSL_MULF(quotient_4, down);
-  const float self_5_new = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_0 = fabsf(self->m0);
+  const float size_1 = fabsf(self->m1);
+  const float size_2 = fabsf(self->m2);
+  const float before_0 = size_0 < 256.0f ? up : down;
+  const float before_1 = size_1 < 256.0f ? up : down;
+  const float before_2 = size_2 < 256.0f ? up : down;
+  const float before_3 = small_g < 256.0f ? up : down;
+  const float before_4 = small_d < 256.0f ? up : down;
+  const float before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up;
+  const float after_1 = size_1 < 256.0f ? down : up;
+  const float after_2 = size_2 < 256.0f ? down : up;
+  const float after_3 = small_g < 256.0f ? down : up;
+  const float after_4 = small_d < 256.0f ? down : up;
+  const float after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0);
+  const float sized_1 = KSL_MULF(self->m1, before_1);
+  const float sized_2 = KSL_MULF(self->m2, before_2);
+  const float sized_3 = KSL_MULF(self->m3, before_3);
+  const float sized_4 = KSL_MULF(self->m4, before_4);
+  const float sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0);
+  const float self_1_new = KSL_MULF(quotient_1, after_1);
+  const float self_2_new = KSL_MULF(quotient_2, after_2);
+  const float self_3_new = KSL_MULF(quotient_3, after_3);
+  const float self_4_new = KSL_MULF(quotient_4, after_4);
+  const float self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -9467,7 +9479,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -9486,40 +9498,44 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_0 = fabsf(si->m0);
-  const float beside_1 = fabsf(si->m1);
-  const float beside_2 = fabsf(si->m2);
-  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
-      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
-      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
-      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
-      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(si->m0, up);
-  const float enlarged_1 = KSL_MULF(si->m1, up);
-  const float enlarged_2 = KSL_MULF(si->m2, up);
-  const float enlarged_3 = KSL_MULF(si->m3, up);
-  const float enlarged_4 = KSL_MULF(si->m4, up);
-  const float enlarged_5 = KSL_MULF(si->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float so_0 = KSL_MULF(quotient_0, down);
-  const float so_1 = KSL_MULF(quotient_1, down);
-  const float so_2 = KSL_MULF(quotient_2, down);
-  const float so_3 = KSL_MULF(quotient_3, down);
-  const float so_4 = KSL_MULF(quotient_4, down);
-  const float so_5 = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_0 = fabsf(si->m0);
+  const float size_1 = fabsf(si->m1);
+  const float size_2 = fabsf(si->m2);
+  const float before_0 = size_0 < 256.0f ? up : down;
+  const float before_1 = size_1 < 256.0f ? up : down;
+  const float before_2 = size_2 < 256.0f ? up : down;
+  const float before_3 = small_g < 256.0f ? up : down;
+  const float before_4 = small_d < 256.0f ? up : down;
+  const float before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up;
+  const float after_1 = size_1 < 256.0f ? down : up;
+  const float after_2 = size_2 < 256.0f ? down : up;
+  const float after_3 = small_g < 256.0f ? down : up;
+  const float after_4 = small_d < 256.0f ? down : up;
+  const float after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(si->m0, before_0);
+  const float sized_1 = KSL_MULF(si->m1, before_1);
+  const float sized_2 = KSL_MULF(si->m2, before_2);
+  const float sized_3 = KSL_MULF(si->m3, before_3);
+  const float sized_4 = KSL_MULF(si->m4, before_4);
+  const float sized_5 = KSL_MULF(si->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float so_0 = KSL_MULF(quotient_0, after_0);
+  const float so_1 = KSL_MULF(quotient_1, after_1);
+  const float so_2 = KSL_MULF(quotient_2, after_2);
+  const float so_3 = KSL_MULF(quotient_3, after_3);
+  const float so_4 = KSL_MULF(quotient_4, after_4);
+  const float so_5 = KSL_MULF(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -10722,7 +10738,7 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
@@ -10741,40 +10757,44 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(self->m3);
-  const double beside_4 = fabs(self->m4);
-  const double beside_5 = fabs(self->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs(self->m3);
+  const double size_4 = fabs(self->m4);
+  const double size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -10785,7 +10805,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -10804,40 +10824,44 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(ci->m3);
-  const double beside_4 = fabs(ci->m4);
-  const double beside_5 = fabs(ci->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(ci->m0, up);
-  const double enlarged_1 = KSL_MUL(ci->m1, up);
-  const double enlarged_2 = KSL_MUL(ci->m2, up);
-  const double enlarged_3 = KSL_MUL(ci->m3, up);
-  const double enlarged_4 = KSL_MUL(ci->m4, up);
-  const double enlarged_5 = KSL_MUL(ci->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, down);
-  const double co_1 = KSL_MUL(quotient_1, down);
-  const double co_2 = KSL_MUL(quotient_2, down);
-  const double co_3 = KSL_MUL(quotient_3, down);
-  const double co_4 = KSL_MUL(quotient_4, down);
-  const double co_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs(ci->m3);
+  const double size_4 = fabs(ci->m4);
+  const double size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0);
+  const double sized_1 = KSL_MUL(ci->m1, before_1);
+  const double sized_2 = KSL_MUL(ci->m2, before_2);
+  const double sized_3 = KSL_MUL(ci->m3, before_3);
+  const double sized_4 = KSL_MUL(ci->m4, before_4);
+  const double sized_5 = KSL_MUL(ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0);
+  const double co_1 = KSL_MUL(quotient_1, after_1);
+  const double co_2 = KSL_MUL(quotient_2, after_2);
+  const double co_3 = KSL_MUL(quotient_3, after_3);
+  const double co_4 = KSL_MUL(quotient_4, after_4);
+  const double co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -12117,7 +12141,7 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -12136,40 +12160,44 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_3 = fabsf(self->m3);
-  const float beside_4 = fabsf(self->m4);
-  const float beside_5 = fabsf(self->m5);
-  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
-      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
-      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
-      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
-      room = small_g < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(self->m0, up);
-  const float enlarged_1 = KSL_MULF(self->m1, up);
-  const float enlarged_2 = KSL_MULF(self->m2, up);
-  const float enlarged_3 = KSL_MULF(self->m3, up);
-  const float enlarged_4 = KSL_MULF(self->m4, up);
-  const float enlarged_5 = KSL_MULF(self->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
-  const float self_4_new = KSL_MULF(quotient_4, down);
-  const float self_5_new = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_3 = fabsf(self->m3);
+  const float size_4 = fabsf(self->m4);
+  const float size_5 = fabsf(self->m5);
+  const float before_0 = small_g < 256.0f ? up : down;
+  const float before_1 = small_d < 256.0f ? up : down;
+  const float before_2 = small_a < 256.0f ? up : down;
+  const float before_3 = size_3 < 256.0f ? up : down;
+  const float before_4 = size_4 < 256.0f ? up : down;
+  const float before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up;
+  const float after_1 = small_d < 256.0f ? down : up;
+  const float after_2 = small_a < 256.0f ? down : up;
+  const float after_3 = size_3 < 256.0f ? down : up;
+  const float after_4 = size_4 < 256.0f ? down : up;
+  const float after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0);
+  const float sized_1 = KSL_MULF(self->m1, before_1);
+  const float sized_2 = KSL_MULF(self->m2, before_2);
+  const float sized_3 = KSL_MULF(self->m3, before_3);
+  const float sized_4 = KSL_MULF(self->m4, before_4);
+  const float sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0);
+  const float self_1_new = KSL_MULF(quotient_1, after_1);
+  const float self_2_new = KSL_MULF(quotient_2, after_2);
+  const float self_3_new = KSL_MULF(quotient_3, after_3);
+  const float self_4_new = KSL_MULF(quotient_4, after_4);
+  const float self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -12180,7 +12208,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -12199,40 +12227,44 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_3 = fabsf(ci->m3);
-  const float beside_4 = fabsf(ci->m4);
-  const float beside_5 = fabsf(ci->m5);
-  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
-      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
-      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
-      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
-      room = small_g < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(ci->m0, up);
-  const float enlarged_1 = KSL_MULF(ci->m1, up);
-  const float enlarged_2 = KSL_MULF(ci->m2, up);
-  const float enlarged_3 = KSL_MULF(ci->m3, up);
-  const float enlarged_4 = KSL_MULF(ci->m4, up);
-  const float enlarged_5 = KSL_MULF(ci->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float co_0 = KSL_MULF(quotient_0, down);
-  const float co_1 = KSL_MULF(quotient_1, down);
-  const float co_2 = KSL_MULF(quotient_2, down);
-  const float co_3 = KSL_MULF(quotient_3, down);
-  const float co_4 = KSL_MULF(quotient_4, down);
-  const float co_5 = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_3 = fabsf(ci->m3);
+  const float size_4 = fabsf(ci->m4);
+  const float size_5 = fabsf(ci->m5);
+  const float before_0 = small_g < 256.0f ? up : down;
+  const float before_1 = small_d < 256.0f ? up : down;
+  const float before_2 = small_a < 256.0f ? up : down;
+  const float before_3 = size_3 < 256.0f ? up : down;
+  const float before_4 = size_4 < 256.0f ? up : down;
+  const float before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up;
+  const float after_1 = small_d < 256.0f ? down : up;
+  const float after_2 = small_a < 256.0f ? down : up;
+  const float after_3 = size_3 < 256.0f ? down : up;
+  const float after_4 = size_4 < 256.0f ? down : up;
+  const float after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(ci->m0, before_0);
+  const float sized_1 = KSL_MULF(ci->m1, before_1);
+  const float sized_2 = KSL_MULF(ci->m2, before_2);
+  const float sized_3 = KSL_MULF(ci->m3, before_3);
+  const float sized_4 = KSL_MULF(ci->m4, before_4);
+  const float sized_5 = KSL_MULF(ci->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float co_0 = KSL_MULF(quotient_0, after_0);
+  const float co_1 = KSL_MULF(quotient_1, after_1);
+  const float co_2 = KSL_MULF(quotient_2, after_2);
+  const float co_3 = KSL_MULF(quotient_3, after_3);
+  const float co_4 = KSL_MULF(quotient_4, after_4);
+  const float co_5 = KSL_MULF(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -13442,14 +13474,14 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double enlarged_3 = KSL_MUL(self->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double sized_3 = KSL_MUL(self->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -13484,14 +13516,14 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(q->x, up);
-  const double enlarged_1 = KSL_MUL(q->y, up);
-  const double enlarged_2 = KSL_MUL(q->z, up);
-  const double enlarged_3 = KSL_MUL(q->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL(q->x, up);
+  const double sized_1 = KSL_MUL(q->y, up);
+  const double sized_2 = KSL_MUL(q->z, up);
+  const double sized_3 = KSL_MUL(q->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double qo_0 = KSL_MUL(quotient_0, down);
   const double qo_1 = KSL_MUL(quotient_1, down);
   const double qo_2 = KSL_MUL(quotient_2, down);
@@ -14835,14 +14867,14 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
       n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(self->x, up);
-  const float enlarged_1 = KSL_MULF(self->y, up);
-  const float enlarged_2 = KSL_MULF(self->z, up);
-  const float enlarged_3 = KSL_MULF(self->w, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
+  const float sized_0 = KSL_MULF(self->x, up);
+  const float sized_1 = KSL_MULF(self->y, up);
+  const float sized_2 = KSL_MULF(self->z, up);
+  const float sized_3 = KSL_MULF(self->w, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
   const float self_0_new = KSL_MULF(quotient_0, down);
   const float self_1_new = KSL_MULF(quotient_1, down);
   const float self_2_new = KSL_MULF(quotient_2, down);
@@ -14877,14 +14909,14 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
       n = sqrtf(n_g);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(q->x, up);
-  const float enlarged_1 = KSL_MULF(q->y, up);
-  const float enlarged_2 = KSL_MULF(q->z, up);
-  const float enlarged_3 = KSL_MULF(q->w, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
+  const float sized_0 = KSL_MULF(q->x, up);
+  const float sized_1 = KSL_MULF(q->y, up);
+  const float sized_2 = KSL_MULF(q->z, up);
+  const float sized_3 = KSL_MULF(q->w, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
   const float qo_0 = KSL_MULF(quotient_0, down);
   const float qo_1 = KSL_MULF(quotient_1, down);
   const float qo_2 = KSL_MULF(quotient_2, down);

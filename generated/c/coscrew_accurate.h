@@ -691,35 +691,35 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
@@ -811,35 +811,35 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
@@ -1434,12 +1434,12 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)self->x, up);
-  const double enlarged_1 = KSL_MUL((double)self->y, up);
-  const double enlarged_2 = KSL_MUL((double)self->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL((double)self->x, up);
+  const double sized_1 = KSL_MUL((double)self->y, up);
+  const double sized_2 = KSL_MUL((double)self->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -1468,12 +1468,12 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)v->x, up);
-  const double enlarged_1 = KSL_MUL((double)v->y, up);
-  const double enlarged_2 = KSL_MUL((double)v->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL((double)v->x, up);
+  const double sized_1 = KSL_MUL((double)v->y, up);
+  const double sized_2 = KSL_MUL((double)v->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);
@@ -1845,44 +1845,44 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double enlarged_3 = KSL_MUL(self->w, up);
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double sized_3 = KSL_MUL(self->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
@@ -1995,44 +1995,44 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
-  const double enlarged_3 = KSL_MUL(v->w, up);
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
+  const double sized_3 = KSL_MUL(v->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
@@ -2172,14 +2172,14 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)self->x, up);
-  const double enlarged_1 = KSL_MUL((double)self->y, up);
-  const double enlarged_2 = KSL_MUL((double)self->z, up);
-  const double enlarged_3 = KSL_MUL((double)self->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL((double)self->x, up);
+  const double sized_1 = KSL_MUL((double)self->y, up);
+  const double sized_2 = KSL_MUL((double)self->z, up);
+  const double sized_3 = KSL_MUL((double)self->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -2214,14 +2214,14 @@ static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)v->x, up);
-  const double enlarged_1 = KSL_MUL((double)v->y, up);
-  const double enlarged_2 = KSL_MUL((double)v->z, up);
-  const double enlarged_3 = KSL_MUL((double)v->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL((double)v->x, up);
+  const double sized_1 = KSL_MUL((double)v->y, up);
+  const double sized_2 = KSL_MUL((double)v->z, up);
+  const double sized_3 = KSL_MUL((double)v->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);
@@ -2626,35 +2626,35 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
       q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
       q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
-  const double q0_enlarged_0 = KSL_MUL(self->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(self->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(self->m02, q0_up);
+  const double q0_sized_0 = KSL_MUL(self->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(self->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
       q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
-      q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor,
+      q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
       q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
-      q0_quotient_0_rest = q0_enlarged_0 - q0_quotient_0_product,
+      q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0_cross,
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor,
+  const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
       q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
-      q0_quotient_1_rest = q0_enlarged_1 - q0_quotient_1_product,
+      q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1_cross,
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor,
+  const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
       q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
-      q0_quotient_2_rest = q0_enlarged_2 - q0_quotient_2_product,
+      q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2_cross,
@@ -2729,35 +2729,35 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
       u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
       u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
-  const double u1_enlarged_0 = KSL_MUL(self->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(self->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(self->m12, u1_up);
+  const double u1_sized_0 = KSL_MUL(self->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(self->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
       u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
-      u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor,
+      u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
       u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
-      u1_quotient_0_rest = u1_enlarged_0 - u1_quotient_0_product,
+      u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0_cross,
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor,
+  const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
       u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
-      u1_quotient_1_rest = u1_enlarged_1 - u1_quotient_1_product,
+      u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1_cross,
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor,
+  const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
       u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
-      u1_quotient_2_rest = u1_enlarged_2 - u1_quotient_2_product,
+      u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2_cross,
@@ -3011,35 +3011,35 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
       u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
       u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
-  const double u2_enlarged_0 = KSL_MUL(self->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(self->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(self->m22, u2_up);
+  const double u2_sized_0 = KSL_MUL(self->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(self->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
       u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
-      u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor,
+      u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
       u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
-      u2_quotient_0_rest = u2_enlarged_0 - u2_quotient_0_product,
+      u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0_cross,
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor,
+  const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
       u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
-      u2_quotient_1_rest = u2_enlarged_1 - u2_quotient_1_product,
+      u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1_cross,
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor,
+  const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
       u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
-      u2_quotient_2_rest = u2_enlarged_2 - u2_quotient_2_product,
+      u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
@@ -3209,35 +3209,35 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest,
       q0_divisor = q0_divisor_a_of_q0_n == 0.0 ? q0_up : q0_divisor_a_of_q0_n,
       q0_divisor_lo = q0_divisor_a_of_q0_n == 0.0 ? 0.0 : q0_divisor_a_of_q0_n_lo;
-  const double q0_enlarged_0 = KSL_MUL(R->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(R->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(R->m02, q0_up);
+  const double q0_sized_0 = KSL_MUL(R->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(R->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
       q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
-      q0_quotient_0 = q0_enlarged_0 / q0_quotient_0_of_q0_divisor,
+      q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
       q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
-      q0_quotient_0_rest = q0_enlarged_0 - q0_quotient_0_product,
+      q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0_cross,
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_quotient_0_of_q0_divisor,
+  const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
       q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
-      q0_quotient_1_rest = q0_enlarged_1 - q0_quotient_1_product,
+      q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1_cross,
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_quotient_0_of_q0_divisor,
+  const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
       q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
-      q0_quotient_2_rest = q0_enlarged_2 - q0_quotient_2_product,
+      q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
       q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2_cross,
@@ -3312,35 +3312,35 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest,
       u1_divisor = u1_divisor_a_of_u1_n == 0.0 ? u1_up : u1_divisor_a_of_u1_n,
       u1_divisor_lo = u1_divisor_a_of_u1_n == 0.0 ? 0.0 : u1_divisor_a_of_u1_n_lo;
-  const double u1_enlarged_0 = KSL_MUL(R->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(R->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(R->m12, u1_up);
+  const double u1_sized_0 = KSL_MUL(R->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(R->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
       u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
-      u1_quotient_0 = u1_enlarged_0 / u1_quotient_0_of_u1_divisor,
+      u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
       u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
-      u1_quotient_0_rest = u1_enlarged_0 - u1_quotient_0_product,
+      u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0_cross,
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_quotient_0_of_u1_divisor,
+  const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
       u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
-      u1_quotient_1_rest = u1_enlarged_1 - u1_quotient_1_product,
+      u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1_cross,
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_quotient_0_of_u1_divisor,
+  const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
       u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
-      u1_quotient_2_rest = u1_enlarged_2 - u1_quotient_2_product,
+      u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
       u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2_cross,
@@ -3594,35 +3594,35 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest,
       u2_divisor = u2_divisor_a_of_u2_n == 0.0 ? u2_up : u2_divisor_a_of_u2_n,
       u2_divisor_lo = u2_divisor_a_of_u2_n == 0.0 ? 0.0 : u2_divisor_a_of_u2_n_lo;
-  const double u2_enlarged_0 = KSL_MUL(R->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(R->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(R->m22, u2_up);
+  const double u2_sized_0 = KSL_MUL(R->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(R->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
       u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
-      u2_quotient_0 = u2_enlarged_0 / u2_quotient_0_of_u2_divisor,
+      u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
       u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
-      u2_quotient_0_rest = u2_enlarged_0 - u2_quotient_0_product,
+      u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0_cross,
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_quotient_0_of_u2_divisor,
+  const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
       u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
-      u2_quotient_1_rest = u2_enlarged_1 - u2_quotient_1_product,
+      u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1_cross,
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_quotient_0_of_u2_divisor,
+  const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
       u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
-      u2_quotient_2_rest = u2_enlarged_2 - u2_quotient_2_product,
+      u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
       u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2_cross,
@@ -4670,12 +4670,12 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL((double)self->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL((double)self->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL((double)self->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL((double)self->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL((double)self->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL((double)self->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -4696,12 +4696,12 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL((double)self->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL((double)self->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL((double)self->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL((double)self->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL((double)self->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL((double)self->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -4744,12 +4744,12 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL((double)self->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL((double)self->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL((double)self->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL((double)self->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL((double)self->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL((double)self->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -4804,12 +4804,12 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL((double)R->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL((double)R->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL((double)R->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL((double)R->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL((double)R->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL((double)R->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -4830,12 +4830,12 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL((double)R->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL((double)R->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL((double)R->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL((double)R->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL((double)R->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL((double)R->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -4878,12 +4878,12 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL((double)R->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL((double)R->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL((double)R->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL((double)R->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL((double)R->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL((double)R->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -9654,7 +9654,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -9674,16 +9674,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(self->m0);
-  const double beside_1 = fabs(self->m1);
-  const double beside_2 = fabs(self->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -9700,82 +9691,84 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_0 = fabs(self->m0);
+  const double size_1 = fabs(self->m1);
+  const double size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -9786,11 +9779,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
+      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -9798,11 +9791,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
-      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
+      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
+      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -9810,11 +9803,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
-      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
+      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
+      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -9822,11 +9815,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
-      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
+      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, down),
+      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -9834,11 +9827,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
-      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
+      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, down),
+      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -9846,11 +9839,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
-      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
+      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, down),
+      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -9874,7 +9867,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -9894,16 +9887,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(si->m0);
-  const double beside_1 = fabs(si->m1);
-  const double beside_2 = fabs(si->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -9920,82 +9904,84 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(si->m0, up);
-  const double enlarged_1 = KSL_MUL(si->m1, up);
-  const double enlarged_2 = KSL_MUL(si->m2, up);
-  const double enlarged_3 = KSL_MUL(si->m3, up);
-  const double enlarged_4 = KSL_MUL(si->m4, up);
-  const double enlarged_5 = KSL_MUL(si->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_0 = fabs(si->m0);
+  const double size_1 = fabs(si->m1);
+  const double size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0);
+  const double sized_1 = KSL_MUL(si->m1, before_1);
+  const double sized_2 = KSL_MUL(si->m2, before_2);
+  const double sized_3 = KSL_MUL(si->m3, before_3);
+  const double sized_4 = KSL_MUL(si->m4, before_4);
+  const double sized_5 = KSL_MUL(si->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -10006,9 +9992,9 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_0_of_quotient_0_left_rest = quotient_0 - so_0_of_quotient_0_left,
       so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right,
       so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest,
-      so_0 = KSL_MUL(so_0_of_quotient_0, down), so_0_inverse = 1.0 / down,
+      so_0 = KSL_MUL(so_0_of_quotient_0, after_0), so_0_inverse = 1.0 / after_0,
       so_0_back = KSL_MUL(so_0, so_0_inverse), so_0_lost = so_0_of_quotient_0 - so_0_back,
-      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, down),
+      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, after_0),
       so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
   const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1,
@@ -10016,45 +10002,50 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_1_of_quotient_1_left_rest = quotient_1 - so_1_of_quotient_1_left,
       so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right,
       so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest,
-      so_1 = KSL_MUL(so_1_of_quotient_1, down), so_1_back = KSL_MUL(so_1, so_0_inverse),
-      so_1_lost = so_1_of_quotient_1 - so_1_back, so_1_rest = so_1_lost + so_1_of_quotient_1_lo,
-      so_1_small = KSL_MUL(so_1_rest, down), so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
+      so_1 = KSL_MUL(so_1_of_quotient_1, after_1), so_1_inverse = 1.0 / after_1,
+      so_1_back = KSL_MUL(so_1, so_1_inverse), so_1_lost = so_1_of_quotient_1 - so_1_back,
+      so_1_rest = so_1_lost + so_1_of_quotient_1_lo, so_1_small = KSL_MUL(so_1_rest, after_1),
+      so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
   const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2,
       so_2_of_quotient_2_left = so_2_of_quotient_2 - so_2_of_quotient_2_right,
       so_2_of_quotient_2_left_rest = quotient_2 - so_2_of_quotient_2_left,
       so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right,
       so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest,
-      so_2 = KSL_MUL(so_2_of_quotient_2, down), so_2_back = KSL_MUL(so_2, so_0_inverse),
-      so_2_lost = so_2_of_quotient_2 - so_2_back, so_2_rest = so_2_lost + so_2_of_quotient_2_lo,
-      so_2_small = KSL_MUL(so_2_rest, down), so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
+      so_2 = KSL_MUL(so_2_of_quotient_2, after_2), so_2_inverse = 1.0 / after_2,
+      so_2_back = KSL_MUL(so_2, so_2_inverse), so_2_lost = so_2_of_quotient_2 - so_2_back,
+      so_2_rest = so_2_lost + so_2_of_quotient_2_lo, so_2_small = KSL_MUL(so_2_rest, after_2),
+      so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
   const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3,
       so_3_of_quotient_3_left = so_3_of_quotient_3 - so_3_of_quotient_3_right,
       so_3_of_quotient_3_left_rest = quotient_3 - so_3_of_quotient_3_left,
       so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right,
       so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest,
-      so_3 = KSL_MUL(so_3_of_quotient_3, down), so_3_back = KSL_MUL(so_3, so_0_inverse),
-      so_3_lost = so_3_of_quotient_3 - so_3_back, so_3_rest = so_3_lost + so_3_of_quotient_3_lo,
-      so_3_small = KSL_MUL(so_3_rest, down), so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
+      so_3 = KSL_MUL(so_3_of_quotient_3, after_3), so_3_inverse = 1.0 / after_3,
+      so_3_back = KSL_MUL(so_3, so_3_inverse), so_3_lost = so_3_of_quotient_3 - so_3_back,
+      so_3_rest = so_3_lost + so_3_of_quotient_3_lo, so_3_small = KSL_MUL(so_3_rest, after_3),
+      so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
   const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4,
       so_4_of_quotient_4_left = so_4_of_quotient_4 - so_4_of_quotient_4_right,
       so_4_of_quotient_4_left_rest = quotient_4 - so_4_of_quotient_4_left,
       so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right,
       so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest,
-      so_4 = KSL_MUL(so_4_of_quotient_4, down), so_4_back = KSL_MUL(so_4, so_0_inverse),
-      so_4_lost = so_4_of_quotient_4 - so_4_back, so_4_rest = so_4_lost + so_4_of_quotient_4_lo,
-      so_4_small = KSL_MUL(so_4_rest, down), so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
+      so_4 = KSL_MUL(so_4_of_quotient_4, after_4), so_4_inverse = 1.0 / after_4,
+      so_4_back = KSL_MUL(so_4, so_4_inverse), so_4_lost = so_4_of_quotient_4 - so_4_back,
+      so_4_rest = so_4_lost + so_4_of_quotient_4_lo, so_4_small = KSL_MUL(so_4_rest, after_4),
+      so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
   const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5,
       so_5_of_quotient_5_left = so_5_of_quotient_5 - so_5_of_quotient_5_right,
       so_5_of_quotient_5_left_rest = quotient_5 - so_5_of_quotient_5_left,
       so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right,
       so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest,
-      so_5 = KSL_MUL(so_5_of_quotient_5, down), so_5_back = KSL_MUL(so_5, so_0_inverse),
-      so_5_lost = so_5_of_quotient_5 - so_5_back, so_5_rest = so_5_lost + so_5_of_quotient_5_lo,
-      so_5_small = KSL_MUL(so_5_rest, down), so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
+      so_5 = KSL_MUL(so_5_of_quotient_5, after_5), so_5_inverse = 1.0 / after_5,
+      so_5_back = KSL_MUL(so_5, so_5_inverse), so_5_lost = so_5_of_quotient_5 - so_5_back,
+      so_5_rest = so_5_lost + so_5_of_quotient_5_lo, so_5_small = KSL_MUL(so_5_rest, after_5),
+      so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
   const double so_0_rounded = so_0 + so_0_lo,
       so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
   const double so_1_rounded = so_1 + so_1_lo,
@@ -11655,7 +11646,7 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double small_a = fabs((double)self->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
@@ -11675,40 +11666,44 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs((double)self->m0);
-  const double beside_1 = fabs((double)self->m1);
-  const double beside_2 = fabs((double)self->m2);
-  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
-      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)self->m0, up);
-  const double enlarged_1 = KSL_MUL((double)self->m1, up);
-  const double enlarged_2 = KSL_MUL((double)self->m2, up);
-  const double enlarged_3 = KSL_MUL((double)self->m3, up);
-  const double enlarged_4 = KSL_MUL((double)self->m4, up);
-  const double enlarged_5 = KSL_MUL((double)self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs((double)self->m0);
+  const double size_1 = fabs((double)self->m1);
+  const double size_2 = fabs((double)self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0);
+  const double sized_1 = KSL_MUL((double)self->m1, before_1);
+  const double sized_2 = KSL_MUL((double)self->m2, before_2);
+  const double sized_3 = KSL_MUL((double)self->m3, before_3);
+  const double sized_4 = KSL_MUL((double)self->m4, before_4);
+  const double sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -11719,7 +11714,7 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -11739,40 +11734,44 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs((double)si->m0);
-  const double beside_1 = fabs((double)si->m1);
-  const double beside_2 = fabs((double)si->m2);
-  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
-      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)si->m0, up);
-  const double enlarged_1 = KSL_MUL((double)si->m1, up);
-  const double enlarged_2 = KSL_MUL((double)si->m2, up);
-  const double enlarged_3 = KSL_MUL((double)si->m3, up);
-  const double enlarged_4 = KSL_MUL((double)si->m4, up);
-  const double enlarged_5 = KSL_MUL((double)si->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, down);
-  const double so_1 = KSL_MUL(quotient_1, down);
-  const double so_2 = KSL_MUL(quotient_2, down);
-  const double so_3 = KSL_MUL(quotient_3, down);
-  const double so_4 = KSL_MUL(quotient_4, down);
-  const double so_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs((double)si->m0);
+  const double size_1 = fabs((double)si->m1);
+  const double size_2 = fabs((double)si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)si->m0, before_0);
+  const double sized_1 = KSL_MUL((double)si->m1, before_1);
+  const double sized_2 = KSL_MUL((double)si->m2, before_2);
+  const double sized_3 = KSL_MUL((double)si->m3, before_3);
+  const double sized_4 = KSL_MUL((double)si->m4, before_4);
+  const double sized_5 = KSL_MUL((double)si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0);
+  const double so_1 = KSL_MUL(quotient_1, after_1);
+  const double so_2 = KSL_MUL(quotient_2, after_2);
+  const double so_3 = KSL_MUL(quotient_3, after_3);
+  const double so_4 = KSL_MUL(quotient_4, after_4);
+  const double so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12769,7 +12768,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -12789,16 +12788,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(self->m3);
-  const double beside_4 = fabs(self->m4);
-  const double beside_5 = fabs(self->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -12815,82 +12805,84 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_3 = fabs(self->m3);
+  const double size_4 = fabs(self->m4);
+  const double size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -12901,11 +12893,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
+      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -12913,11 +12905,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
-      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
+      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
+      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -12925,11 +12917,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
-      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
+      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
+      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -12937,11 +12929,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
-      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
+      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, down),
+      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -12949,11 +12941,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
-      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
+      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, down),
+      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -12961,11 +12953,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
-      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
+      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, down),
+      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -12989,7 +12981,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -13009,16 +13001,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(ci->m3);
-  const double beside_4 = fabs(ci->m4);
-  const double beside_5 = fabs(ci->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -13035,82 +13018,84 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(ci->m0, up);
-  const double enlarged_1 = KSL_MUL(ci->m1, up);
-  const double enlarged_2 = KSL_MUL(ci->m2, up);
-  const double enlarged_3 = KSL_MUL(ci->m3, up);
-  const double enlarged_4 = KSL_MUL(ci->m4, up);
-  const double enlarged_5 = KSL_MUL(ci->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_3 = fabs(ci->m3);
+  const double size_4 = fabs(ci->m4);
+  const double size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0);
+  const double sized_1 = KSL_MUL(ci->m1, before_1);
+  const double sized_2 = KSL_MUL(ci->m2, before_2);
+  const double sized_3 = KSL_MUL(ci->m3, before_3);
+  const double sized_4 = KSL_MUL(ci->m4, before_4);
+  const double sized_5 = KSL_MUL(ci->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -13121,9 +13106,9 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_0_of_quotient_0_left_rest = quotient_0 - co_0_of_quotient_0_left,
       co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right,
       co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
-      co_0 = KSL_MUL(co_0_of_quotient_0, down), co_0_inverse = 1.0 / down,
+      co_0 = KSL_MUL(co_0_of_quotient_0, after_0), co_0_inverse = 1.0 / after_0,
       co_0_back = KSL_MUL(co_0, co_0_inverse), co_0_lost = co_0_of_quotient_0 - co_0_back,
-      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, down),
+      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, after_0),
       co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
   const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
@@ -13131,45 +13116,50 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_1_of_quotient_1_left_rest = quotient_1 - co_1_of_quotient_1_left,
       co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right,
       co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
-      co_1 = KSL_MUL(co_1_of_quotient_1, down), co_1_back = KSL_MUL(co_1, co_0_inverse),
-      co_1_lost = co_1_of_quotient_1 - co_1_back, co_1_rest = co_1_lost + co_1_of_quotient_1_lo,
-      co_1_small = KSL_MUL(co_1_rest, down), co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+      co_1 = KSL_MUL(co_1_of_quotient_1, after_1), co_1_inverse = 1.0 / after_1,
+      co_1_back = KSL_MUL(co_1, co_1_inverse), co_1_lost = co_1_of_quotient_1 - co_1_back,
+      co_1_rest = co_1_lost + co_1_of_quotient_1_lo, co_1_small = KSL_MUL(co_1_rest, after_1),
+      co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
   const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
       co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
       co_2_of_quotient_2_left_rest = quotient_2 - co_2_of_quotient_2_left,
       co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right,
       co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
-      co_2 = KSL_MUL(co_2_of_quotient_2, down), co_2_back = KSL_MUL(co_2, co_0_inverse),
-      co_2_lost = co_2_of_quotient_2 - co_2_back, co_2_rest = co_2_lost + co_2_of_quotient_2_lo,
-      co_2_small = KSL_MUL(co_2_rest, down), co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+      co_2 = KSL_MUL(co_2_of_quotient_2, after_2), co_2_inverse = 1.0 / after_2,
+      co_2_back = KSL_MUL(co_2, co_2_inverse), co_2_lost = co_2_of_quotient_2 - co_2_back,
+      co_2_rest = co_2_lost + co_2_of_quotient_2_lo, co_2_small = KSL_MUL(co_2_rest, after_2),
+      co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
   const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
       co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
       co_3_of_quotient_3_left_rest = quotient_3 - co_3_of_quotient_3_left,
       co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right,
       co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
-      co_3 = KSL_MUL(co_3_of_quotient_3, down), co_3_back = KSL_MUL(co_3, co_0_inverse),
-      co_3_lost = co_3_of_quotient_3 - co_3_back, co_3_rest = co_3_lost + co_3_of_quotient_3_lo,
-      co_3_small = KSL_MUL(co_3_rest, down), co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+      co_3 = KSL_MUL(co_3_of_quotient_3, after_3), co_3_inverse = 1.0 / after_3,
+      co_3_back = KSL_MUL(co_3, co_3_inverse), co_3_lost = co_3_of_quotient_3 - co_3_back,
+      co_3_rest = co_3_lost + co_3_of_quotient_3_lo, co_3_small = KSL_MUL(co_3_rest, after_3),
+      co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
   const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
       co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
       co_4_of_quotient_4_left_rest = quotient_4 - co_4_of_quotient_4_left,
       co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right,
       co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
-      co_4 = KSL_MUL(co_4_of_quotient_4, down), co_4_back = KSL_MUL(co_4, co_0_inverse),
-      co_4_lost = co_4_of_quotient_4 - co_4_back, co_4_rest = co_4_lost + co_4_of_quotient_4_lo,
-      co_4_small = KSL_MUL(co_4_rest, down), co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+      co_4 = KSL_MUL(co_4_of_quotient_4, after_4), co_4_inverse = 1.0 / after_4,
+      co_4_back = KSL_MUL(co_4, co_4_inverse), co_4_lost = co_4_of_quotient_4 - co_4_back,
+      co_4_rest = co_4_lost + co_4_of_quotient_4_lo, co_4_small = KSL_MUL(co_4_rest, after_4),
+      co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
   const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
       co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
       co_5_of_quotient_5_left_rest = quotient_5 - co_5_of_quotient_5_left,
       co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right,
       co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
-      co_5 = KSL_MUL(co_5_of_quotient_5, down), co_5_back = KSL_MUL(co_5, co_0_inverse),
-      co_5_lost = co_5_of_quotient_5 - co_5_back, co_5_rest = co_5_lost + co_5_of_quotient_5_lo,
-      co_5_small = KSL_MUL(co_5_rest, down), co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+      co_5 = KSL_MUL(co_5_of_quotient_5, after_5), co_5_inverse = 1.0 / after_5,
+      co_5_back = KSL_MUL(co_5, co_5_inverse), co_5_lost = co_5_of_quotient_5 - co_5_back,
+      co_5_rest = co_5_lost + co_5_of_quotient_5_lo, co_5_small = KSL_MUL(co_5_rest, after_5),
+      co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
   const double co_0_rounded = co_0 + co_0_lo,
       co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
   const double co_1_rounded = co_1 + co_1_lo,
@@ -15279,7 +15269,7 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double small_a = fabs((double)self->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
@@ -15299,40 +15289,44 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs((double)self->m3);
-  const double beside_4 = fabs((double)self->m4);
-  const double beside_5 = fabs((double)self->m5);
-  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
-      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)self->m0, up);
-  const double enlarged_1 = KSL_MUL((double)self->m1, up);
-  const double enlarged_2 = KSL_MUL((double)self->m2, up);
-  const double enlarged_3 = KSL_MUL((double)self->m3, up);
-  const double enlarged_4 = KSL_MUL((double)self->m4, up);
-  const double enlarged_5 = KSL_MUL((double)self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs((double)self->m3);
+  const double size_4 = fabs((double)self->m4);
+  const double size_5 = fabs((double)self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0);
+  const double sized_1 = KSL_MUL((double)self->m1, before_1);
+  const double sized_2 = KSL_MUL((double)self->m2, before_2);
+  const double sized_3 = KSL_MUL((double)self->m3, before_3);
+  const double sized_4 = KSL_MUL((double)self->m4, before_4);
+  const double sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -15343,7 +15337,7 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double small_a = fabs((double)ci->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
@@ -15363,40 +15357,44 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs((double)ci->m3);
-  const double beside_4 = fabs((double)ci->m4);
-  const double beside_5 = fabs((double)ci->m5);
-  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
-      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)ci->m0, up);
-  const double enlarged_1 = KSL_MUL((double)ci->m1, up);
-  const double enlarged_2 = KSL_MUL((double)ci->m2, up);
-  const double enlarged_3 = KSL_MUL((double)ci->m3, up);
-  const double enlarged_4 = KSL_MUL((double)ci->m4, up);
-  const double enlarged_5 = KSL_MUL((double)ci->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, down);
-  const double co_1 = KSL_MUL(quotient_1, down);
-  const double co_2 = KSL_MUL(quotient_2, down);
-  const double co_3 = KSL_MUL(quotient_3, down);
-  const double co_4 = KSL_MUL(quotient_4, down);
-  const double co_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs((double)ci->m3);
+  const double size_4 = fabs((double)ci->m4);
+  const double size_5 = fabs((double)ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)ci->m0, before_0);
+  const double sized_1 = KSL_MUL((double)ci->m1, before_1);
+  const double sized_2 = KSL_MUL((double)ci->m2, before_2);
+  const double sized_3 = KSL_MUL((double)ci->m3, before_3);
+  const double sized_4 = KSL_MUL((double)ci->m4, before_4);
+  const double sized_5 = KSL_MUL((double)ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0);
+  const double co_1 = KSL_MUL(quotient_1, after_1);
+  const double co_2 = KSL_MUL(quotient_2, after_2);
+  const double co_3 = KSL_MUL(quotient_3, after_3);
+  const double co_4 = KSL_MUL(quotient_4, after_4);
+  const double co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -16449,44 +16447,44 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double enlarged_3 = KSL_MUL(self->w, up);
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double sized_3 = KSL_MUL(self->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
@@ -16600,44 +16598,44 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(q->x, up);
-  const double enlarged_1 = KSL_MUL(q->y, up);
-  const double enlarged_2 = KSL_MUL(q->z, up);
-  const double enlarged_3 = KSL_MUL(q->w, up);
+  const double sized_0 = KSL_MUL(q->x, up);
+  const double sized_1 = KSL_MUL(q->y, up);
+  const double sized_2 = KSL_MUL(q->z, up);
+  const double sized_3 = KSL_MUL(q->w, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
@@ -19207,14 +19205,14 @@ static inline void ksl_quaternionf_normalize_accurate(ksl_quaternionf_t *self) {
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)self->x, up);
-  const double enlarged_1 = KSL_MUL((double)self->y, up);
-  const double enlarged_2 = KSL_MUL((double)self->z, up);
-  const double enlarged_3 = KSL_MUL((double)self->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL((double)self->x, up);
+  const double sized_1 = KSL_MUL((double)self->y, up);
+  const double sized_2 = KSL_MUL((double)self->z, up);
+  const double sized_3 = KSL_MUL((double)self->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -19250,14 +19248,14 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
       n = sqrt(n_g);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)q->x, up);
-  const double enlarged_1 = KSL_MUL((double)q->y, up);
-  const double enlarged_2 = KSL_MUL((double)q->z, up);
-  const double enlarged_3 = KSL_MUL((double)q->w, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
+  const double sized_0 = KSL_MUL((double)q->x, up);
+  const double sized_1 = KSL_MUL((double)q->y, up);
+  const double sized_2 = KSL_MUL((double)q->z, up);
+  const double sized_3 = KSL_MUL((double)q->w, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
   const double qo_0 = KSL_MUL(quotient_0, down);
   const double qo_1 = KSL_MUL(quotient_1, down);
   const double qo_2 = KSL_MUL(quotient_2, down);

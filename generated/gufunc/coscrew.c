@@ -4654,13 +4654,13 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
-    "19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
    1, 1, coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
-    "19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
    1, 1, coscrew_normalized_loops},
   {"coscrew_from_lin_ang", "(3),(3)->(6)",
     "co = (lin; ang).\n"

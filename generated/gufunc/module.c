@@ -78,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "c5c1085cc8921da2") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "59e202230ac01ccb") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -3958,13 +3958,13 @@ const coscrew_gufunc TABLE(screw)[] = {
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
-    "19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
-    "19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.\n",
+    "18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.\n",
    1, 1, screw_normalized_loops},
   {"screw_from_lin_ang", "(3),(3)->(6)",
     "so = (lin; ang).\n"

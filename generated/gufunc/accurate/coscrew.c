@@ -3604,15 +3604,15 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
-    "46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,\n"
-    "38 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
+    "40 select.\n",
    1, 1, coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
-    "46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,\n"
-    "38 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
+    "40 select.\n",
    1, 1, coscrew_normalized_loops},
   {"add_cct", "(6),(6)->(6)",
     "co = (c1.lin + c2.lin ; c1.ang).\n"

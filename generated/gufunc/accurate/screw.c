@@ -2908,15 +2908,15 @@ const coscrew_gufunc TABLE(screw)[] = {
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
-    "46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,\n"
-    "38 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
+    "40 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
-    "46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,\n"
-    "38 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
+    "40 select.\n",
    1, 1, screw_normalized_loops},
   {"add_sst", "(6),(6)->(6)",
     "so = (s1.lin + s2.lin ; s1.ang).\n"

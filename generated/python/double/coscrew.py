@@ -218,7 +218,7 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_2)
@@ -240,39 +240,43 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    beside_3 = absolute(self_3)
-    beside_4 = absolute(self_4)
-    beside_5 = absolute(self_5)
-    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
-    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
-    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
-    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
-    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
-    room = where(small_g < 6.703903964971299e+153, room_j, 0)
-    up = where(room == 1, where(1 < s, s, 1), 1)
+    up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
-    unscaled = n * back
-    divisor = where(unscaled == 0, up, unscaled)
-    enlarged_0 = self_0 * up
-    enlarged_1 = self_1 * up
-    enlarged_2 = self_2 * up
-    enlarged_3 = self_3 * up
-    enlarged_4 = self_4 * up
-    enlarged_5 = self_5 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_4 = enlarged_4 / divisor
-    quotient_5 = enlarged_5 / divisor
-    self_0_new = quotient_0 * down
-    self_1_new = quotient_1 * down
-    self_2_new = quotient_2 * down
-    self_3_new = quotient_3 * down
-    self_4_new = quotient_4 * down
-    self_5_new = quotient_5 * down
+    divisor = where(n == 0, up, n)
+    size_3 = absolute(self_3)
+    size_4 = absolute(self_4)
+    size_5 = absolute(self_5)
+    before_0 = where(small_g < 256, up, down)
+    before_1 = where(small_d < 256, up, down)
+    before_2 = where(small_a < 256, up, down)
+    before_3 = where(size_3 < 256, up, down)
+    before_4 = where(size_4 < 256, up, down)
+    before_5 = where(size_5 < 256, up, down)
+    after_0 = where(small_g < 256, down, up)
+    after_1 = where(small_d < 256, down, up)
+    after_2 = where(small_a < 256, down, up)
+    after_3 = where(size_3 < 256, down, up)
+    after_4 = where(size_4 < 256, down, up)
+    after_5 = where(size_5 < 256, down, up)
+    sized_0 = self_0 * before_0
+    sized_1 = self_1 * before_1
+    sized_2 = self_2 * before_2
+    sized_3 = self_3 * before_3
+    sized_4 = self_4 * before_4
+    sized_5 = self_5 * before_5
+    quotient_0 = sized_0 / divisor
+    quotient_1 = sized_1 / divisor
+    quotient_2 = sized_2 / divisor
+    quotient_3 = sized_3 / divisor
+    quotient_4 = sized_4 / divisor
+    quotient_5 = sized_5 / divisor
+    self_0_new = quotient_0 * after_0
+    self_1_new = quotient_1 * after_1
+    self_2_new = quotient_2 * after_2
+    self_3_new = quotient_3 * after_3
+    self_4_new = quotient_4 * after_4
+    self_5_new = quotient_5 * after_5
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new)
 
 
@@ -281,7 +285,7 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_a = absolute(ci_2)
@@ -303,39 +307,43 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    beside_3 = absolute(ci_3)
-    beside_4 = absolute(ci_4)
-    beside_5 = absolute(ci_5)
-    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
-    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
-    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
-    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
-    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
-    room = where(small_g < 6.703903964971299e+153, room_j, 0)
-    up = where(room == 1, where(1 < s, s, 1), 1)
+    up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
-    unscaled = n * back
-    divisor = where(unscaled == 0, up, unscaled)
-    enlarged_0 = ci_0 * up
-    enlarged_1 = ci_1 * up
-    enlarged_2 = ci_2 * up
-    enlarged_3 = ci_3 * up
-    enlarged_4 = ci_4 * up
-    enlarged_5 = ci_5 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_3 = enlarged_3 / divisor
-    quotient_4 = enlarged_4 / divisor
-    quotient_5 = enlarged_5 / divisor
-    co_0 = quotient_0 * down
-    co_1 = quotient_1 * down
-    co_2 = quotient_2 * down
-    co_3 = quotient_3 * down
-    co_4 = quotient_4 * down
-    co_5 = quotient_5 * down
+    divisor = where(n == 0, up, n)
+    size_3 = absolute(ci_3)
+    size_4 = absolute(ci_4)
+    size_5 = absolute(ci_5)
+    before_0 = where(small_g < 256, up, down)
+    before_1 = where(small_d < 256, up, down)
+    before_2 = where(small_a < 256, up, down)
+    before_3 = where(size_3 < 256, up, down)
+    before_4 = where(size_4 < 256, up, down)
+    before_5 = where(size_5 < 256, up, down)
+    after_0 = where(small_g < 256, down, up)
+    after_1 = where(small_d < 256, down, up)
+    after_2 = where(small_a < 256, down, up)
+    after_3 = where(size_3 < 256, down, up)
+    after_4 = where(size_4 < 256, down, up)
+    after_5 = where(size_5 < 256, down, up)
+    sized_0 = ci_0 * before_0
+    sized_1 = ci_1 * before_1
+    sized_2 = ci_2 * before_2
+    sized_3 = ci_3 * before_3
+    sized_4 = ci_4 * before_4
+    sized_5 = ci_5 * before_5
+    quotient_0 = sized_0 / divisor
+    quotient_1 = sized_1 / divisor
+    quotient_2 = sized_2 / divisor
+    quotient_3 = sized_3 / divisor
+    quotient_4 = sized_4 / divisor
+    quotient_5 = sized_5 / divisor
+    co_0 = quotient_0 * after_0
+    co_1 = quotient_1 * after_1
+    co_2 = quotient_2 * after_2
+    co_3 = quotient_3 * after_3
+    co_4 = quotient_4 * after_4
+    co_5 = quotient_5 * after_5
     return (co_0, co_1, co_2, co_3, co_4, co_5)
 
 

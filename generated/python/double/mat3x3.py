@@ -170,12 +170,12 @@ def mat3x3_normalize(self):
     q0_down = where(q0_s < 1, q0_s, 1)
     q0_n = sqrt(q0_y_0 * q0_y_0 + q0_y_1 * q0_y_1 + q0_y_2 * q0_y_2)
     q0_divisor = where(q0_n == 0, q0_up, q0_n)
-    q0_enlarged_0 = self_00 * q0_up
-    q0_enlarged_1 = self_01 * q0_up
-    q0_enlarged_2 = self_02 * q0_up
-    q0_quotient_0 = q0_enlarged_0 / q0_divisor
-    q0_quotient_1 = q0_enlarged_1 / q0_divisor
-    q0_quotient_2 = q0_enlarged_2 / q0_divisor
+    q0_sized_0 = self_00 * q0_up
+    q0_sized_1 = self_01 * q0_up
+    q0_sized_2 = self_02 * q0_up
+    q0_quotient_0 = q0_sized_0 / q0_divisor
+    q0_quotient_1 = q0_sized_1 / q0_divisor
+    q0_quotient_2 = q0_sized_2 / q0_divisor
     q0_0 = q0_quotient_0 * q0_down
     q0_1 = q0_quotient_1 * q0_down
     q0_2 = q0_quotient_2 * q0_down
@@ -194,12 +194,12 @@ def mat3x3_normalize(self):
     u1_down = where(u1_s < 1, u1_s, 1)
     u1_n = sqrt(u1_y_0 * u1_y_0 + u1_y_1 * u1_y_1 + u1_y_2 * u1_y_2)
     u1_divisor = where(u1_n == 0, u1_up, u1_n)
-    u1_enlarged_0 = self_10 * u1_up
-    u1_enlarged_1 = self_11 * u1_up
-    u1_enlarged_2 = self_12 * u1_up
-    u1_quotient_0 = u1_enlarged_0 / u1_divisor
-    u1_quotient_1 = u1_enlarged_1 / u1_divisor
-    u1_quotient_2 = u1_enlarged_2 / u1_divisor
+    u1_sized_0 = self_10 * u1_up
+    u1_sized_1 = self_11 * u1_up
+    u1_sized_2 = self_12 * u1_up
+    u1_quotient_0 = u1_sized_0 / u1_divisor
+    u1_quotient_1 = u1_sized_1 / u1_divisor
+    u1_quotient_2 = u1_sized_2 / u1_divisor
     u1_0 = u1_quotient_0 * u1_down
     u1_1 = u1_quotient_1 * u1_down
     u1_2 = u1_quotient_2 * u1_down
@@ -234,12 +234,12 @@ def mat3x3_normalize(self):
     u2_down = where(u2_s < 1, u2_s, 1)
     u2_n = sqrt(u2_y_0 * u2_y_0 + u2_y_1 * u2_y_1 + u2_y_2 * u2_y_2)
     u2_divisor = where(u2_n == 0, u2_up, u2_n)
-    u2_enlarged_0 = self_20 * u2_up
-    u2_enlarged_1 = self_21 * u2_up
-    u2_enlarged_2 = self_22 * u2_up
-    u2_quotient_0 = u2_enlarged_0 / u2_divisor
-    u2_quotient_1 = u2_enlarged_1 / u2_divisor
-    u2_quotient_2 = u2_enlarged_2 / u2_divisor
+    u2_sized_0 = self_20 * u2_up
+    u2_sized_1 = self_21 * u2_up
+    u2_sized_2 = self_22 * u2_up
+    u2_quotient_0 = u2_sized_0 / u2_divisor
+    u2_quotient_1 = u2_sized_1 / u2_divisor
+    u2_quotient_2 = u2_sized_2 / u2_divisor
     u2_0 = u2_quotient_0 * u2_down
     u2_1 = u2_quotient_1 * u2_down
     u2_2 = u2_quotient_2 * u2_down
@@ -288,12 +288,12 @@ def mat3x3_normalized(R):
     q0_down = where(q0_s < 1, q0_s, 1)
     q0_n = sqrt(q0_y_0 * q0_y_0 + q0_y_1 * q0_y_1 + q0_y_2 * q0_y_2)
     q0_divisor = where(q0_n == 0, q0_up, q0_n)
-    q0_enlarged_0 = R_00 * q0_up
-    q0_enlarged_1 = R_01 * q0_up
-    q0_enlarged_2 = R_02 * q0_up
-    q0_quotient_0 = q0_enlarged_0 / q0_divisor
-    q0_quotient_1 = q0_enlarged_1 / q0_divisor
-    q0_quotient_2 = q0_enlarged_2 / q0_divisor
+    q0_sized_0 = R_00 * q0_up
+    q0_sized_1 = R_01 * q0_up
+    q0_sized_2 = R_02 * q0_up
+    q0_quotient_0 = q0_sized_0 / q0_divisor
+    q0_quotient_1 = q0_sized_1 / q0_divisor
+    q0_quotient_2 = q0_sized_2 / q0_divisor
     q0_0 = q0_quotient_0 * q0_down
     q0_1 = q0_quotient_1 * q0_down
     q0_2 = q0_quotient_2 * q0_down
@@ -312,12 +312,12 @@ def mat3x3_normalized(R):
     u1_down = where(u1_s < 1, u1_s, 1)
     u1_n = sqrt(u1_y_0 * u1_y_0 + u1_y_1 * u1_y_1 + u1_y_2 * u1_y_2)
     u1_divisor = where(u1_n == 0, u1_up, u1_n)
-    u1_enlarged_0 = R_10 * u1_up
-    u1_enlarged_1 = R_11 * u1_up
-    u1_enlarged_2 = R_12 * u1_up
-    u1_quotient_0 = u1_enlarged_0 / u1_divisor
-    u1_quotient_1 = u1_enlarged_1 / u1_divisor
-    u1_quotient_2 = u1_enlarged_2 / u1_divisor
+    u1_sized_0 = R_10 * u1_up
+    u1_sized_1 = R_11 * u1_up
+    u1_sized_2 = R_12 * u1_up
+    u1_quotient_0 = u1_sized_0 / u1_divisor
+    u1_quotient_1 = u1_sized_1 / u1_divisor
+    u1_quotient_2 = u1_sized_2 / u1_divisor
     u1_0 = u1_quotient_0 * u1_down
     u1_1 = u1_quotient_1 * u1_down
     u1_2 = u1_quotient_2 * u1_down
@@ -352,12 +352,12 @@ def mat3x3_normalized(R):
     u2_down = where(u2_s < 1, u2_s, 1)
     u2_n = sqrt(u2_y_0 * u2_y_0 + u2_y_1 * u2_y_1 + u2_y_2 * u2_y_2)
     u2_divisor = where(u2_n == 0, u2_up, u2_n)
-    u2_enlarged_0 = R_20 * u2_up
-    u2_enlarged_1 = R_21 * u2_up
-    u2_enlarged_2 = R_22 * u2_up
-    u2_quotient_0 = u2_enlarged_0 / u2_divisor
-    u2_quotient_1 = u2_enlarged_1 / u2_divisor
-    u2_quotient_2 = u2_enlarged_2 / u2_divisor
+    u2_sized_0 = R_20 * u2_up
+    u2_sized_1 = R_21 * u2_up
+    u2_sized_2 = R_22 * u2_up
+    u2_quotient_0 = u2_sized_0 / u2_divisor
+    u2_quotient_1 = u2_sized_1 / u2_divisor
+    u2_quotient_2 = u2_sized_2 / u2_divisor
     u2_0 = u2_quotient_0 * u2_down
     u2_1 = u2_quotient_1 * u2_down
     u2_2 = u2_quotient_2 * u2_down

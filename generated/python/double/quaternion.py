@@ -133,14 +133,14 @@ def quaternion_normalize(self):
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     divisor = where(n == 0, up, n)
-    enlarged_0 = self_0 * up
-    enlarged_1 = self_1 * up
-    enlarged_2 = self_2 * up
-    enlarged_3 = self_3 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_3 = enlarged_3 / divisor
+    sized_0 = self_0 * up
+    sized_1 = self_1 * up
+    sized_2 = self_2 * up
+    sized_3 = self_3 * up
+    quotient_0 = sized_0 / divisor
+    quotient_1 = sized_1 / divisor
+    quotient_2 = sized_2 / divisor
+    quotient_3 = sized_3 / divisor
     self_0_new = quotient_0 * down
     self_1_new = quotient_1 * down
     self_2_new = quotient_2 * down
@@ -174,14 +174,14 @@ def quaternion_normalized(q):
     down = where(s < 1, s, 1)
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
     divisor = where(n == 0, up, n)
-    enlarged_0 = q_0 * up
-    enlarged_1 = q_1 * up
-    enlarged_2 = q_2 * up
-    enlarged_3 = q_3 * up
-    quotient_0 = enlarged_0 / divisor
-    quotient_1 = enlarged_1 / divisor
-    quotient_2 = enlarged_2 / divisor
-    quotient_3 = enlarged_3 / divisor
+    sized_0 = q_0 * up
+    sized_1 = q_1 * up
+    sized_2 = q_2 * up
+    sized_3 = q_3 * up
+    quotient_0 = sized_0 / divisor
+    quotient_1 = sized_1 / divisor
+    quotient_2 = sized_2 / divisor
+    quotient_3 = sized_3 / divisor
     qo_0 = quotient_0 * down
     qo_1 = quotient_1 * down
     qo_2 = quotient_2 * down

@@ -245,7 +245,7 @@ static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
@@ -264,40 +264,44 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(self->m3);
-  const double beside_4 = fabs(self->m4);
-  const double beside_5 = fabs(self->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs(self->m3);
+  const double size_4 = fabs(self->m4);
+  const double size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -308,7 +312,7 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
@@ -327,40 +331,44 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(ci->m3);
-  const double beside_4 = fabs(ci->m4);
-  const double beside_5 = fabs(ci->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(ci->m0, up);
-  const double enlarged_1 = KSL_MUL(ci->m1, up);
-  const double enlarged_2 = KSL_MUL(ci->m2, up);
-  const double enlarged_3 = KSL_MUL(ci->m3, up);
-  const double enlarged_4 = KSL_MUL(ci->m4, up);
-  const double enlarged_5 = KSL_MUL(ci->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, down);
-  const double co_1 = KSL_MUL(quotient_1, down);
-  const double co_2 = KSL_MUL(quotient_2, down);
-  const double co_3 = KSL_MUL(quotient_3, down);
-  const double co_4 = KSL_MUL(quotient_4, down);
-  const double co_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs(ci->m3);
+  const double size_4 = fabs(ci->m4);
+  const double size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0);
+  const double sized_1 = KSL_MUL(ci->m1, before_1);
+  const double sized_2 = KSL_MUL(ci->m2, before_2);
+  const double sized_3 = KSL_MUL(ci->m3, before_3);
+  const double sized_4 = KSL_MUL(ci->m4, before_4);
+  const double sized_5 = KSL_MUL(ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0);
+  const double co_1 = KSL_MUL(quotient_1, after_1);
+  const double co_2 = KSL_MUL(quotient_2, after_2);
+  const double co_3 = KSL_MUL(quotient_3, after_3);
+  const double co_4 = KSL_MUL(quotient_4, after_4);
+  const double co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1640,7 +1648,7 @@ static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -1659,40 +1667,44 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_3 = fabsf(self->m3);
-  const float beside_4 = fabsf(self->m4);
-  const float beside_5 = fabsf(self->m5);
-  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
-      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
-      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
-      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
-      room = small_g < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(self->m0, up);
-  const float enlarged_1 = KSL_MULF(self->m1, up);
-  const float enlarged_2 = KSL_MULF(self->m2, up);
-  const float enlarged_3 = KSL_MULF(self->m3, up);
-  const float enlarged_4 = KSL_MULF(self->m4, up);
-  const float enlarged_5 = KSL_MULF(self->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
-  const float self_4_new = KSL_MULF(quotient_4, down);
-  const float self_5_new = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_3 = fabsf(self->m3);
+  const float size_4 = fabsf(self->m4);
+  const float size_5 = fabsf(self->m5);
+  const float before_0 = small_g < 256.0f ? up : down;
+  const float before_1 = small_d < 256.0f ? up : down;
+  const float before_2 = small_a < 256.0f ? up : down;
+  const float before_3 = size_3 < 256.0f ? up : down;
+  const float before_4 = size_4 < 256.0f ? up : down;
+  const float before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up;
+  const float after_1 = small_d < 256.0f ? down : up;
+  const float after_2 = small_a < 256.0f ? down : up;
+  const float after_3 = size_3 < 256.0f ? down : up;
+  const float after_4 = size_4 < 256.0f ? down : up;
+  const float after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0);
+  const float sized_1 = KSL_MULF(self->m1, before_1);
+  const float sized_2 = KSL_MULF(self->m2, before_2);
+  const float sized_3 = KSL_MULF(self->m3, before_3);
+  const float sized_4 = KSL_MULF(self->m4, before_4);
+  const float sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0);
+  const float self_1_new = KSL_MULF(quotient_1, after_1);
+  const float self_2_new = KSL_MULF(quotient_2, after_2);
+  const float self_3_new = KSL_MULF(quotient_3, after_3);
+  const float self_4_new = KSL_MULF(quotient_4, after_4);
+  const float self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1703,7 +1715,7 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
@@ -1722,40 +1734,44 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_3 = fabsf(ci->m3);
-  const float beside_4 = fabsf(ci->m4);
-  const float beside_5 = fabsf(ci->m5);
-  const float room_b = beside_5 < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = beside_4 < 4.611686e+18f ? room_b : 0.0f,
-      room_f = beside_3 < 4.611686e+18f ? room_d : 0.0f,
-      room_h = small_a < 4.611686e+18f ? room_f : 0.0f,
-      room_j = small_d < 4.611686e+18f ? room_h : 0.0f,
-      room = small_g < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(ci->m0, up);
-  const float enlarged_1 = KSL_MULF(ci->m1, up);
-  const float enlarged_2 = KSL_MULF(ci->m2, up);
-  const float enlarged_3 = KSL_MULF(ci->m3, up);
-  const float enlarged_4 = KSL_MULF(ci->m4, up);
-  const float enlarged_5 = KSL_MULF(ci->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float co_0 = KSL_MULF(quotient_0, down);
-  const float co_1 = KSL_MULF(quotient_1, down);
-  const float co_2 = KSL_MULF(quotient_2, down);
-  const float co_3 = KSL_MULF(quotient_3, down);
-  const float co_4 = KSL_MULF(quotient_4, down);
-  const float co_5 = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_3 = fabsf(ci->m3);
+  const float size_4 = fabsf(ci->m4);
+  const float size_5 = fabsf(ci->m5);
+  const float before_0 = small_g < 256.0f ? up : down;
+  const float before_1 = small_d < 256.0f ? up : down;
+  const float before_2 = small_a < 256.0f ? up : down;
+  const float before_3 = size_3 < 256.0f ? up : down;
+  const float before_4 = size_4 < 256.0f ? up : down;
+  const float before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up;
+  const float after_1 = small_d < 256.0f ? down : up;
+  const float after_2 = small_a < 256.0f ? down : up;
+  const float after_3 = size_3 < 256.0f ? down : up;
+  const float after_4 = size_4 < 256.0f ? down : up;
+  const float after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(ci->m0, before_0);
+  const float sized_1 = KSL_MULF(ci->m1, before_1);
+  const float sized_2 = KSL_MULF(ci->m2, before_2);
+  const float sized_3 = KSL_MULF(ci->m3, before_3);
+  const float sized_4 = KSL_MULF(ci->m4, before_4);
+  const float sized_5 = KSL_MULF(ci->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float co_0 = KSL_MULF(quotient_0, after_0);
+  const float co_1 = KSL_MULF(quotient_1, after_1);
+  const float co_2 = KSL_MULF(quotient_2, after_2);
+  const float co_3 = KSL_MULF(quotient_3, after_3);
+  const float co_4 = KSL_MULF(quotient_4, after_4);
+  const float co_5 = KSL_MULF(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;

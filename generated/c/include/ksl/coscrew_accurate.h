@@ -331,7 +331,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -351,16 +351,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(self->m3);
-  const double beside_4 = fabs(self->m4);
-  const double beside_5 = fabs(self->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -377,82 +368,84 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_3 = fabs(self->m3);
+  const double size_4 = fabs(self->m4);
+  const double size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -463,11 +456,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
+      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -475,11 +468,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
-      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
+      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
+      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -487,11 +480,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
-      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
+      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
+      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -499,11 +492,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
-      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
+      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, down),
+      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -511,11 +504,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
-      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
+      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, down),
+      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -523,11 +516,11 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
-      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
+      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, down),
+      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -551,7 +544,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -571,16 +564,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs(ci->m3);
-  const double beside_4 = fabs(ci->m4);
-  const double beside_5 = fabs(ci->m5);
-  const double room_b = beside_5 < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = beside_4 < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = beside_3 < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = small_a < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = small_d < 6.703903964971299e+153 ? room_h : 0.0,
-      room = small_g < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -597,82 +581,84 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(ci->m0, up);
-  const double enlarged_1 = KSL_MUL(ci->m1, up);
-  const double enlarged_2 = KSL_MUL(ci->m2, up);
-  const double enlarged_3 = KSL_MUL(ci->m3, up);
-  const double enlarged_4 = KSL_MUL(ci->m4, up);
-  const double enlarged_5 = KSL_MUL(ci->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_3 = fabs(ci->m3);
+  const double size_4 = fabs(ci->m4);
+  const double size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0);
+  const double sized_1 = KSL_MUL(ci->m1, before_1);
+  const double sized_2 = KSL_MUL(ci->m2, before_2);
+  const double sized_3 = KSL_MUL(ci->m3, before_3);
+  const double sized_4 = KSL_MUL(ci->m4, before_4);
+  const double sized_5 = KSL_MUL(ci->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -683,9 +669,9 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_0_of_quotient_0_left_rest = quotient_0 - co_0_of_quotient_0_left,
       co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right,
       co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
-      co_0 = KSL_MUL(co_0_of_quotient_0, down), co_0_inverse = 1.0 / down,
+      co_0 = KSL_MUL(co_0_of_quotient_0, after_0), co_0_inverse = 1.0 / after_0,
       co_0_back = KSL_MUL(co_0, co_0_inverse), co_0_lost = co_0_of_quotient_0 - co_0_back,
-      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, down),
+      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, after_0),
       co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
   const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
@@ -693,45 +679,50 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_1_of_quotient_1_left_rest = quotient_1 - co_1_of_quotient_1_left,
       co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right,
       co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
-      co_1 = KSL_MUL(co_1_of_quotient_1, down), co_1_back = KSL_MUL(co_1, co_0_inverse),
-      co_1_lost = co_1_of_quotient_1 - co_1_back, co_1_rest = co_1_lost + co_1_of_quotient_1_lo,
-      co_1_small = KSL_MUL(co_1_rest, down), co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+      co_1 = KSL_MUL(co_1_of_quotient_1, after_1), co_1_inverse = 1.0 / after_1,
+      co_1_back = KSL_MUL(co_1, co_1_inverse), co_1_lost = co_1_of_quotient_1 - co_1_back,
+      co_1_rest = co_1_lost + co_1_of_quotient_1_lo, co_1_small = KSL_MUL(co_1_rest, after_1),
+      co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
   const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
       co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
       co_2_of_quotient_2_left_rest = quotient_2 - co_2_of_quotient_2_left,
       co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right,
       co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
-      co_2 = KSL_MUL(co_2_of_quotient_2, down), co_2_back = KSL_MUL(co_2, co_0_inverse),
-      co_2_lost = co_2_of_quotient_2 - co_2_back, co_2_rest = co_2_lost + co_2_of_quotient_2_lo,
-      co_2_small = KSL_MUL(co_2_rest, down), co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+      co_2 = KSL_MUL(co_2_of_quotient_2, after_2), co_2_inverse = 1.0 / after_2,
+      co_2_back = KSL_MUL(co_2, co_2_inverse), co_2_lost = co_2_of_quotient_2 - co_2_back,
+      co_2_rest = co_2_lost + co_2_of_quotient_2_lo, co_2_small = KSL_MUL(co_2_rest, after_2),
+      co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
   const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
       co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
       co_3_of_quotient_3_left_rest = quotient_3 - co_3_of_quotient_3_left,
       co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right,
       co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
-      co_3 = KSL_MUL(co_3_of_quotient_3, down), co_3_back = KSL_MUL(co_3, co_0_inverse),
-      co_3_lost = co_3_of_quotient_3 - co_3_back, co_3_rest = co_3_lost + co_3_of_quotient_3_lo,
-      co_3_small = KSL_MUL(co_3_rest, down), co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+      co_3 = KSL_MUL(co_3_of_quotient_3, after_3), co_3_inverse = 1.0 / after_3,
+      co_3_back = KSL_MUL(co_3, co_3_inverse), co_3_lost = co_3_of_quotient_3 - co_3_back,
+      co_3_rest = co_3_lost + co_3_of_quotient_3_lo, co_3_small = KSL_MUL(co_3_rest, after_3),
+      co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
   const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
       co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
       co_4_of_quotient_4_left_rest = quotient_4 - co_4_of_quotient_4_left,
       co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right,
       co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
-      co_4 = KSL_MUL(co_4_of_quotient_4, down), co_4_back = KSL_MUL(co_4, co_0_inverse),
-      co_4_lost = co_4_of_quotient_4 - co_4_back, co_4_rest = co_4_lost + co_4_of_quotient_4_lo,
-      co_4_small = KSL_MUL(co_4_rest, down), co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+      co_4 = KSL_MUL(co_4_of_quotient_4, after_4), co_4_inverse = 1.0 / after_4,
+      co_4_back = KSL_MUL(co_4, co_4_inverse), co_4_lost = co_4_of_quotient_4 - co_4_back,
+      co_4_rest = co_4_lost + co_4_of_quotient_4_lo, co_4_small = KSL_MUL(co_4_rest, after_4),
+      co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
   const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
       co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
       co_5_of_quotient_5_left_rest = quotient_5 - co_5_of_quotient_5_left,
       co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right,
       co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
-      co_5 = KSL_MUL(co_5_of_quotient_5, down), co_5_back = KSL_MUL(co_5, co_0_inverse),
-      co_5_lost = co_5_of_quotient_5 - co_5_back, co_5_rest = co_5_lost + co_5_of_quotient_5_lo,
-      co_5_small = KSL_MUL(co_5_rest, down), co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+      co_5 = KSL_MUL(co_5_of_quotient_5, after_5), co_5_inverse = 1.0 / after_5,
+      co_5_back = KSL_MUL(co_5, co_5_inverse), co_5_lost = co_5_of_quotient_5 - co_5_back,
+      co_5_rest = co_5_lost + co_5_of_quotient_5_lo, co_5_small = KSL_MUL(co_5_rest, after_5),
+      co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
   const double co_0_rounded = co_0 + co_0_lo,
       co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
   const double co_1_rounded = co_1 + co_1_lo,
@@ -2841,7 +2832,7 @@ static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double small_a = fabs((double)self->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
@@ -2861,40 +2852,44 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs((double)self->m3);
-  const double beside_4 = fabs((double)self->m4);
-  const double beside_5 = fabs((double)self->m5);
-  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
-      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)self->m0, up);
-  const double enlarged_1 = KSL_MUL((double)self->m1, up);
-  const double enlarged_2 = KSL_MUL((double)self->m2, up);
-  const double enlarged_3 = KSL_MUL((double)self->m3, up);
-  const double enlarged_4 = KSL_MUL((double)self->m4, up);
-  const double enlarged_5 = KSL_MUL((double)self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs((double)self->m3);
+  const double size_4 = fabs((double)self->m4);
+  const double size_5 = fabs((double)self->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0);
+  const double sized_1 = KSL_MUL((double)self->m1, before_1);
+  const double sized_2 = KSL_MUL((double)self->m2, before_2);
+  const double sized_3 = KSL_MUL((double)self->m3, before_3);
+  const double sized_4 = KSL_MUL((double)self->m4, before_4);
+  const double sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2905,7 +2900,7 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
   const double small_a = fabs((double)ci->m2),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
@@ -2925,40 +2920,44 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_3 = fabs((double)ci->m3);
-  const double beside_4 = fabs((double)ci->m4);
-  const double beside_5 = fabs((double)ci->m5);
-  const double room_b = beside_5 < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = beside_4 < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = beside_3 < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = small_a < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = small_d < 4.611686018427388e+18 ? room_h : 0.0,
-      room = small_g < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)ci->m0, up);
-  const double enlarged_1 = KSL_MUL((double)ci->m1, up);
-  const double enlarged_2 = KSL_MUL((double)ci->m2, up);
-  const double enlarged_3 = KSL_MUL((double)ci->m3, up);
-  const double enlarged_4 = KSL_MUL((double)ci->m4, up);
-  const double enlarged_5 = KSL_MUL((double)ci->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, down);
-  const double co_1 = KSL_MUL(quotient_1, down);
-  const double co_2 = KSL_MUL(quotient_2, down);
-  const double co_3 = KSL_MUL(quotient_3, down);
-  const double co_4 = KSL_MUL(quotient_4, down);
-  const double co_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_3 = fabs((double)ci->m3);
+  const double size_4 = fabs((double)ci->m4);
+  const double size_5 = fabs((double)ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down;
+  const double before_1 = small_d < 256.0 ? up : down;
+  const double before_2 = small_a < 256.0 ? up : down;
+  const double before_3 = size_3 < 256.0 ? up : down;
+  const double before_4 = size_4 < 256.0 ? up : down;
+  const double before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up;
+  const double after_1 = small_d < 256.0 ? down : up;
+  const double after_2 = small_a < 256.0 ? down : up;
+  const double after_3 = size_3 < 256.0 ? down : up;
+  const double after_4 = size_4 < 256.0 ? down : up;
+  const double after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)ci->m0, before_0);
+  const double sized_1 = KSL_MUL((double)ci->m1, before_1);
+  const double sized_2 = KSL_MUL((double)ci->m2, before_2);
+  const double sized_3 = KSL_MUL((double)ci->m3, before_3);
+  const double sized_4 = KSL_MUL((double)ci->m4, before_4);
+  const double sized_5 = KSL_MUL((double)ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0);
+  const double co_1 = KSL_MUL(quotient_1, after_1);
+  const double co_2 = KSL_MUL(quotient_2, after_2);
+  const double co_3 = KSL_MUL(quotient_3, after_3);
+  const double co_4 = KSL_MUL(quotient_4, after_4);
+  const double co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;

@@ -297,12 +297,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL(self->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(self->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(self->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL(self->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(self->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -323,12 +323,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL(self->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(self->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(self->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL(self->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(self->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -371,12 +371,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL(self->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(self->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(self->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL(self->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(self->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -431,12 +431,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MUL(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrt(q0_n_e);
   const double q0_divisor = q0_n == 0.0 ? q0_up : q0_n;
-  const double q0_enlarged_0 = KSL_MUL(R->m00, q0_up);
-  const double q0_enlarged_1 = KSL_MUL(R->m01, q0_up);
-  const double q0_enlarged_2 = KSL_MUL(R->m02, q0_up);
-  const double q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const double q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const double q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const double q0_sized_0 = KSL_MUL(R->m00, q0_up);
+  const double q0_sized_1 = KSL_MUL(R->m01, q0_up);
+  const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
+  const double q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const double q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const double q0_quotient_2 = q0_sized_2 / q0_divisor;
   const double q0_0 = KSL_MUL(q0_quotient_0, q0_down);
   const double q0_1 = KSL_MUL(q0_quotient_1, q0_down);
   const double q0_2 = KSL_MUL(q0_quotient_2, q0_down);
@@ -457,12 +457,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MUL(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrt(u1_n_e);
   const double u1_divisor = u1_n == 0.0 ? u1_up : u1_n;
-  const double u1_enlarged_0 = KSL_MUL(R->m10, u1_up);
-  const double u1_enlarged_1 = KSL_MUL(R->m11, u1_up);
-  const double u1_enlarged_2 = KSL_MUL(R->m12, u1_up);
-  const double u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const double u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const double u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const double u1_sized_0 = KSL_MUL(R->m10, u1_up);
+  const double u1_sized_1 = KSL_MUL(R->m11, u1_up);
+  const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
+  const double u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const double u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const double u1_quotient_2 = u1_sized_2 / u1_divisor;
   const double u1_0 = KSL_MUL(u1_quotient_0, u1_down);
   const double u1_1 = KSL_MUL(u1_quotient_1, u1_down);
   const double u1_2 = KSL_MUL(u1_quotient_2, u1_down);
@@ -505,12 +505,12 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MUL(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrt(u2_n_e);
   const double u2_divisor = u2_n == 0.0 ? u2_up : u2_n;
-  const double u2_enlarged_0 = KSL_MUL(R->m20, u2_up);
-  const double u2_enlarged_1 = KSL_MUL(R->m21, u2_up);
-  const double u2_enlarged_2 = KSL_MUL(R->m22, u2_up);
-  const double u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const double u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const double u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const double u2_sized_0 = KSL_MUL(R->m20, u2_up);
+  const double u2_sized_1 = KSL_MUL(R->m21, u2_up);
+  const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
+  const double u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const double u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const double u2_quotient_2 = u2_sized_2 / u2_divisor;
   const double u2_0 = KSL_MUL(u2_quotient_0, u2_down);
   const double u2_1 = KSL_MUL(u2_quotient_1, u2_down);
   const double u2_2 = KSL_MUL(u2_quotient_2, u2_down);
@@ -1155,12 +1155,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = KSL_MULF(self->m00, q0_up);
-  const float q0_enlarged_1 = KSL_MULF(self->m01, q0_up);
-  const float q0_enlarged_2 = KSL_MULF(self->m02, q0_up);
-  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_sized_0 = KSL_MULF(self->m00, q0_up);
+  const float q0_sized_1 = KSL_MULF(self->m01, q0_up);
+  const float q0_sized_2 = KSL_MULF(self->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
   const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
   const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
   const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
@@ -1181,12 +1181,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = KSL_MULF(self->m10, u1_up);
-  const float u1_enlarged_1 = KSL_MULF(self->m11, u1_up);
-  const float u1_enlarged_2 = KSL_MULF(self->m12, u1_up);
-  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_sized_0 = KSL_MULF(self->m10, u1_up);
+  const float u1_sized_1 = KSL_MULF(self->m11, u1_up);
+  const float u1_sized_2 = KSL_MULF(self->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
   const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
   const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
   const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
@@ -1229,12 +1229,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = KSL_MULF(self->m20, u2_up);
-  const float u2_enlarged_1 = KSL_MULF(self->m21, u2_up);
-  const float u2_enlarged_2 = KSL_MULF(self->m22, u2_up);
-  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_sized_0 = KSL_MULF(self->m20, u2_up);
+  const float u2_sized_1 = KSL_MULF(self->m21, u2_up);
+  const float u2_sized_2 = KSL_MULF(self->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
   const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
   const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
   const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);
@@ -1289,12 +1289,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       q0_n_c = q0_n_a + q0_n_b, q0_n_d = KSL_MULF(q0_y_2, q0_y_2), q0_n_e = q0_n_c + q0_n_d,
       q0_n = sqrtf(q0_n_e);
   const float q0_divisor = q0_n == 0.0f ? q0_up : q0_n;
-  const float q0_enlarged_0 = KSL_MULF(R->m00, q0_up);
-  const float q0_enlarged_1 = KSL_MULF(R->m01, q0_up);
-  const float q0_enlarged_2 = KSL_MULF(R->m02, q0_up);
-  const float q0_quotient_0 = q0_enlarged_0 / q0_divisor;
-  const float q0_quotient_1 = q0_enlarged_1 / q0_divisor;
-  const float q0_quotient_2 = q0_enlarged_2 / q0_divisor;
+  const float q0_sized_0 = KSL_MULF(R->m00, q0_up);
+  const float q0_sized_1 = KSL_MULF(R->m01, q0_up);
+  const float q0_sized_2 = KSL_MULF(R->m02, q0_up);
+  const float q0_quotient_0 = q0_sized_0 / q0_divisor;
+  const float q0_quotient_1 = q0_sized_1 / q0_divisor;
+  const float q0_quotient_2 = q0_sized_2 / q0_divisor;
   const float q0_0 = KSL_MULF(q0_quotient_0, q0_down);
   const float q0_1 = KSL_MULF(q0_quotient_1, q0_down);
   const float q0_2 = KSL_MULF(q0_quotient_2, q0_down);
@@ -1315,12 +1315,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       u1_n_c = u1_n_a + u1_n_b, u1_n_d = KSL_MULF(u1_y_2, u1_y_2), u1_n_e = u1_n_c + u1_n_d,
       u1_n = sqrtf(u1_n_e);
   const float u1_divisor = u1_n == 0.0f ? u1_up : u1_n;
-  const float u1_enlarged_0 = KSL_MULF(R->m10, u1_up);
-  const float u1_enlarged_1 = KSL_MULF(R->m11, u1_up);
-  const float u1_enlarged_2 = KSL_MULF(R->m12, u1_up);
-  const float u1_quotient_0 = u1_enlarged_0 / u1_divisor;
-  const float u1_quotient_1 = u1_enlarged_1 / u1_divisor;
-  const float u1_quotient_2 = u1_enlarged_2 / u1_divisor;
+  const float u1_sized_0 = KSL_MULF(R->m10, u1_up);
+  const float u1_sized_1 = KSL_MULF(R->m11, u1_up);
+  const float u1_sized_2 = KSL_MULF(R->m12, u1_up);
+  const float u1_quotient_0 = u1_sized_0 / u1_divisor;
+  const float u1_quotient_1 = u1_sized_1 / u1_divisor;
+  const float u1_quotient_2 = u1_sized_2 / u1_divisor;
   const float u1_0 = KSL_MULF(u1_quotient_0, u1_down);
   const float u1_1 = KSL_MULF(u1_quotient_1, u1_down);
   const float u1_2 = KSL_MULF(u1_quotient_2, u1_down);
@@ -1363,12 +1363,12 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
       u2_n_c = u2_n_a + u2_n_b, u2_n_d = KSL_MULF(u2_y_2, u2_y_2), u2_n_e = u2_n_c + u2_n_d,
       u2_n = sqrtf(u2_n_e);
   const float u2_divisor = u2_n == 0.0f ? u2_up : u2_n;
-  const float u2_enlarged_0 = KSL_MULF(R->m20, u2_up);
-  const float u2_enlarged_1 = KSL_MULF(R->m21, u2_up);
-  const float u2_enlarged_2 = KSL_MULF(R->m22, u2_up);
-  const float u2_quotient_0 = u2_enlarged_0 / u2_divisor;
-  const float u2_quotient_1 = u2_enlarged_1 / u2_divisor;
-  const float u2_quotient_2 = u2_enlarged_2 / u2_divisor;
+  const float u2_sized_0 = KSL_MULF(R->m20, u2_up);
+  const float u2_sized_1 = KSL_MULF(R->m21, u2_up);
+  const float u2_sized_2 = KSL_MULF(R->m22, u2_up);
+  const float u2_quotient_0 = u2_sized_0 / u2_divisor;
+  const float u2_quotient_1 = u2_sized_1 / u2_divisor;
+  const float u2_quotient_2 = u2_sized_2 / u2_divisor;
   const float u2_0 = KSL_MULF(u2_quotient_0, u2_down);
   const float u2_1 = KSL_MULF(u2_quotient_1, u2_down);
   const float u2_2 = KSL_MULF(u2_quotient_2, u2_down);

@@ -245,7 +245,7 @@ static inline double ksl_screw_norm(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
@@ -264,40 +264,44 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(self->m0);
-  const double beside_1 = fabs(self->m1);
-  const double beside_2 = fabs(self->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs(self->m0);
+  const double size_1 = fabs(self->m1);
+  const double size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -308,7 +312,7 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
@@ -327,40 +331,44 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(si->m0);
-  const double beside_1 = fabs(si->m1);
-  const double beside_2 = fabs(si->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL(si->m0, up);
-  const double enlarged_1 = KSL_MUL(si->m1, up);
-  const double enlarged_2 = KSL_MUL(si->m2, up);
-  const double enlarged_3 = KSL_MUL(si->m3, up);
-  const double enlarged_4 = KSL_MUL(si->m4, up);
-  const double enlarged_5 = KSL_MUL(si->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, down);
-  const double so_1 = KSL_MUL(quotient_1, down);
-  const double so_2 = KSL_MUL(quotient_2, down);
-  const double so_3 = KSL_MUL(quotient_3, down);
-  const double so_4 = KSL_MUL(quotient_4, down);
-  const double so_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs(si->m0);
+  const double size_1 = fabs(si->m1);
+  const double size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0);
+  const double sized_1 = KSL_MUL(si->m1, before_1);
+  const double sized_2 = KSL_MUL(si->m2, before_2);
+  const double sized_3 = KSL_MUL(si->m3, before_3);
+  const double sized_4 = KSL_MUL(si->m4, before_4);
+  const double sized_5 = KSL_MUL(si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0);
+  const double so_1 = KSL_MUL(quotient_1, after_1);
+  const double so_2 = KSL_MUL(quotient_2, after_2);
+  const double so_3 = KSL_MUL(quotient_3, after_3);
+  const double so_4 = KSL_MUL(quotient_4, after_4);
+  const double so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1441,7 +1449,7 @@ static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
@@ -1460,40 +1468,44 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_0 = fabsf(self->m0);
-  const float beside_1 = fabsf(self->m1);
-  const float beside_2 = fabsf(self->m2);
-  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
-      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
-      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
-      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
-      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(self->m0, up);
-  const float enlarged_1 = KSL_MULF(self->m1, up);
-  const float enlarged_2 = KSL_MULF(self->m2, up);
-  const float enlarged_3 = KSL_MULF(self->m3, up);
-  const float enlarged_4 = KSL_MULF(self->m4, up);
-  const float enlarged_5 = KSL_MULF(self->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
-  const float self_4_new = KSL_MULF(quotient_4, down);
-  const float self_5_new = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_0 = fabsf(self->m0);
+  const float size_1 = fabsf(self->m1);
+  const float size_2 = fabsf(self->m2);
+  const float before_0 = size_0 < 256.0f ? up : down;
+  const float before_1 = size_1 < 256.0f ? up : down;
+  const float before_2 = size_2 < 256.0f ? up : down;
+  const float before_3 = small_g < 256.0f ? up : down;
+  const float before_4 = small_d < 256.0f ? up : down;
+  const float before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up;
+  const float after_1 = size_1 < 256.0f ? down : up;
+  const float after_2 = size_2 < 256.0f ? down : up;
+  const float after_3 = small_g < 256.0f ? down : up;
+  const float after_4 = small_d < 256.0f ? down : up;
+  const float after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0);
+  const float sized_1 = KSL_MULF(self->m1, before_1);
+  const float sized_2 = KSL_MULF(self->m2, before_2);
+  const float sized_3 = KSL_MULF(self->m3, before_3);
+  const float sized_4 = KSL_MULF(self->m4, before_4);
+  const float sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0);
+  const float self_1_new = KSL_MULF(quotient_1, after_1);
+  const float self_2_new = KSL_MULF(quotient_2, after_2);
+  const float self_3_new = KSL_MULF(quotient_3, after_3);
+  const float self_4_new = KSL_MULF(quotient_4, after_4);
+  const float self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1504,7 +1516,7 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
@@ -1523,40 +1535,44 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float y_0 = KSL_MULF(p_0, s);
   const float y_1 = KSL_MULF(p_1, s);
   const float y_2 = KSL_MULF(p_2, s);
-  const float beside_0 = fabsf(si->m0);
-  const float beside_1 = fabsf(si->m1);
-  const float beside_2 = fabsf(si->m2);
-  const float room_b = small_a < 4.611686e+18f ? 1.0f : 0.0f,
-      room_d = small_d < 4.611686e+18f ? room_b : 0.0f,
-      room_f = small_g < 4.611686e+18f ? room_d : 0.0f,
-      room_h = beside_2 < 4.611686e+18f ? room_f : 0.0f,
-      room_j = beside_1 < 4.611686e+18f ? room_h : 0.0f,
-      room = beside_0 < 4.611686e+18f ? room_j : 0.0f;
-  const float up_b = 1.0f < s ? s : 1.0f, up = room == 1.0f ? up_b : 1.0f;
+  const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
-  const float back_a = 1.0f < s ? 5.551115e-17f : 1.0f, back = room == 0.0f ? back_a : 1.0f;
-  const float unscaled = KSL_MULF(n, back);
-  const float divisor = unscaled == 0.0f ? up : unscaled;
-  const float enlarged_0 = KSL_MULF(si->m0, up);
-  const float enlarged_1 = KSL_MULF(si->m1, up);
-  const float enlarged_2 = KSL_MULF(si->m2, up);
-  const float enlarged_3 = KSL_MULF(si->m3, up);
-  const float enlarged_4 = KSL_MULF(si->m4, up);
-  const float enlarged_5 = KSL_MULF(si->m5, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
-  const float quotient_3 = enlarged_3 / divisor;
-  const float quotient_4 = enlarged_4 / divisor;
-  const float quotient_5 = enlarged_5 / divisor;
-  const float so_0 = KSL_MULF(quotient_0, down);
-  const float so_1 = KSL_MULF(quotient_1, down);
-  const float so_2 = KSL_MULF(quotient_2, down);
-  const float so_3 = KSL_MULF(quotient_3, down);
-  const float so_4 = KSL_MULF(quotient_4, down);
-  const float so_5 = KSL_MULF(quotient_5, down);
+  const float divisor = n == 0.0f ? up : n;
+  const float size_0 = fabsf(si->m0);
+  const float size_1 = fabsf(si->m1);
+  const float size_2 = fabsf(si->m2);
+  const float before_0 = size_0 < 256.0f ? up : down;
+  const float before_1 = size_1 < 256.0f ? up : down;
+  const float before_2 = size_2 < 256.0f ? up : down;
+  const float before_3 = small_g < 256.0f ? up : down;
+  const float before_4 = small_d < 256.0f ? up : down;
+  const float before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up;
+  const float after_1 = size_1 < 256.0f ? down : up;
+  const float after_2 = size_2 < 256.0f ? down : up;
+  const float after_3 = small_g < 256.0f ? down : up;
+  const float after_4 = small_d < 256.0f ? down : up;
+  const float after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(si->m0, before_0);
+  const float sized_1 = KSL_MULF(si->m1, before_1);
+  const float sized_2 = KSL_MULF(si->m2, before_2);
+  const float sized_3 = KSL_MULF(si->m3, before_3);
+  const float sized_4 = KSL_MULF(si->m4, before_4);
+  const float sized_5 = KSL_MULF(si->m5, before_5);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
+  const float quotient_3 = sized_3 / divisor;
+  const float quotient_4 = sized_4 / divisor;
+  const float quotient_5 = sized_5 / divisor;
+  const float so_0 = KSL_MULF(quotient_0, after_0);
+  const float so_1 = KSL_MULF(quotient_1, after_1);
+  const float so_2 = KSL_MULF(quotient_2, after_2);
+  const float so_3 = KSL_MULF(quotient_3, after_3);
+  const float so_4 = KSL_MULF(quotient_4, after_4);
+  const float so_5 = KSL_MULF(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

@@ -330,7 +330,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -350,16 +350,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(self->m0);
-  const double beside_1 = fabs(self->m1);
-  const double beside_2 = fabs(self->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -376,82 +367,84 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(self->m0, up);
-  const double enlarged_1 = KSL_MUL(self->m1, up);
-  const double enlarged_2 = KSL_MUL(self->m2, up);
-  const double enlarged_3 = KSL_MUL(self->m3, up);
-  const double enlarged_4 = KSL_MUL(self->m4, up);
-  const double enlarged_5 = KSL_MUL(self->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_0 = fabs(self->m0);
+  const double size_1 = fabs(self->m1);
+  const double size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0);
+  const double sized_1 = KSL_MUL(self->m1, before_1);
+  const double sized_2 = KSL_MUL(self->m2, before_2);
+  const double sized_3 = KSL_MUL(self->m3, before_3);
+  const double sized_4 = KSL_MUL(self->m4, before_4);
+  const double sized_5 = KSL_MUL(self->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -462,11 +455,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
+      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
+      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
       self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
@@ -474,11 +467,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
-      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
+      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
+      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
+      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
       self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
@@ -486,11 +479,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
-      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
+      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
+      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
+      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
       self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
@@ -498,11 +491,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
-      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
+      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
+      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, down),
+      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
       self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
@@ -510,11 +503,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, down),
-      self_4_new_back = KSL_MUL(self_4_new, self_0_new_inverse),
+      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
+      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, down),
+      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
       self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
@@ -522,11 +515,11 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, down),
-      self_5_new_back = KSL_MUL(self_5_new, self_0_new_inverse),
+      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
+      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, down),
+      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
       self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
@@ -550,7 +543,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal, 38
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -570,16 +563,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs(si->m0);
-  const double beside_1 = fabs(si->m1);
-  const double beside_2 = fabs(si->m2);
-  const double room_b = small_a < 6.703903964971299e+153 ? 1.0 : 0.0,
-      room_d = small_d < 6.703903964971299e+153 ? room_b : 0.0,
-      room_f = small_g < 6.703903964971299e+153 ? room_d : 0.0,
-      room_h = beside_2 < 6.703903964971299e+153 ? room_f : 0.0,
-      room_j = beside_1 < 6.703903964971299e+153 ? room_h : 0.0,
-      room = beside_0 < 6.703903964971299e+153 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -596,82 +580,84 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
       n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
       n_lo = n_residual / n_divisor;
-  const double back_a = 1.0 < s ? 7.637340908749012e-152 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled_of_n = n + n_lo, unscaled_of_n_right = unscaled_of_n - n,
-      unscaled_of_n_left = unscaled_of_n - unscaled_of_n_right,
-      unscaled_of_n_left_rest = n - unscaled_of_n_left,
-      unscaled_of_n_right_rest = n_lo - unscaled_of_n_right,
-      unscaled_of_n_lo = unscaled_of_n_left_rest + unscaled_of_n_right_rest,
-      unscaled = KSL_MUL(unscaled_of_n, back), unscaled_inverse = 1.0 / back,
-      unscaled_back = KSL_MUL(unscaled, unscaled_inverse),
-      unscaled_lost = unscaled_of_n - unscaled_back,
-      unscaled_rest = unscaled_lost + unscaled_of_n_lo,
-      unscaled_small = KSL_MUL(unscaled_rest, back),
-      unscaled_lo = unscaled_lost == 0.0 ? 0.0 : unscaled_small;
-  const double divisor_a_of_unscaled = unscaled + unscaled_lo,
-      divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled,
-      divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left,
-      divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right,
-      divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest,
-      divisor = divisor_a_of_unscaled == 0.0 ? up : divisor_a_of_unscaled,
-      divisor_lo = divisor_a_of_unscaled == 0.0 ? 0.0 : divisor_a_of_unscaled_lo;
-  const double enlarged_0 = KSL_MUL(si->m0, up);
-  const double enlarged_1 = KSL_MUL(si->m1, up);
-  const double enlarged_2 = KSL_MUL(si->m2, up);
-  const double enlarged_3 = KSL_MUL(si->m3, up);
-  const double enlarged_4 = KSL_MUL(si->m4, up);
-  const double enlarged_5 = KSL_MUL(si->m5, up);
+  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
+      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
+      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
+      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
+      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
+      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
+      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
+  const double size_0 = fabs(si->m0);
+  const double size_1 = fabs(si->m1);
+  const double size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0);
+  const double sized_1 = KSL_MUL(si->m1, before_1);
+  const double sized_2 = KSL_MUL(si->m2, before_2);
+  const double sized_3 = KSL_MUL(si->m3, before_3);
+  const double sized_4 = KSL_MUL(si->m4, before_4);
+  const double sized_5 = KSL_MUL(si->m5, before_5);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = enlarged_3 / quotient_0_of_divisor,
+  const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
       quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
-      quotient_3_rest = enlarged_3 - quotient_3_product,
+      quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
       quotient_3_residual = quotient_3_exact - quotient_3_cross,
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = enlarged_4 / quotient_0_of_divisor,
+  const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
       quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
-      quotient_4_rest = enlarged_4 - quotient_4_product,
+      quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
       quotient_4_residual = quotient_4_exact - quotient_4_cross,
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = enlarged_5 / quotient_0_of_divisor,
+  const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
       quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
-      quotient_5_rest = enlarged_5 - quotient_5_product,
+      quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
       quotient_5_residual = quotient_5_exact - quotient_5_cross,
@@ -682,9 +668,9 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_0_of_quotient_0_left_rest = quotient_0 - so_0_of_quotient_0_left,
       so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right,
       so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest,
-      so_0 = KSL_MUL(so_0_of_quotient_0, down), so_0_inverse = 1.0 / down,
+      so_0 = KSL_MUL(so_0_of_quotient_0, after_0), so_0_inverse = 1.0 / after_0,
       so_0_back = KSL_MUL(so_0, so_0_inverse), so_0_lost = so_0_of_quotient_0 - so_0_back,
-      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, down),
+      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, after_0),
       so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
   const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1,
@@ -692,45 +678,50 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_1_of_quotient_1_left_rest = quotient_1 - so_1_of_quotient_1_left,
       so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right,
       so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest,
-      so_1 = KSL_MUL(so_1_of_quotient_1, down), so_1_back = KSL_MUL(so_1, so_0_inverse),
-      so_1_lost = so_1_of_quotient_1 - so_1_back, so_1_rest = so_1_lost + so_1_of_quotient_1_lo,
-      so_1_small = KSL_MUL(so_1_rest, down), so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
+      so_1 = KSL_MUL(so_1_of_quotient_1, after_1), so_1_inverse = 1.0 / after_1,
+      so_1_back = KSL_MUL(so_1, so_1_inverse), so_1_lost = so_1_of_quotient_1 - so_1_back,
+      so_1_rest = so_1_lost + so_1_of_quotient_1_lo, so_1_small = KSL_MUL(so_1_rest, after_1),
+      so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
   const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2,
       so_2_of_quotient_2_left = so_2_of_quotient_2 - so_2_of_quotient_2_right,
       so_2_of_quotient_2_left_rest = quotient_2 - so_2_of_quotient_2_left,
       so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right,
       so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest,
-      so_2 = KSL_MUL(so_2_of_quotient_2, down), so_2_back = KSL_MUL(so_2, so_0_inverse),
-      so_2_lost = so_2_of_quotient_2 - so_2_back, so_2_rest = so_2_lost + so_2_of_quotient_2_lo,
-      so_2_small = KSL_MUL(so_2_rest, down), so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
+      so_2 = KSL_MUL(so_2_of_quotient_2, after_2), so_2_inverse = 1.0 / after_2,
+      so_2_back = KSL_MUL(so_2, so_2_inverse), so_2_lost = so_2_of_quotient_2 - so_2_back,
+      so_2_rest = so_2_lost + so_2_of_quotient_2_lo, so_2_small = KSL_MUL(so_2_rest, after_2),
+      so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
   const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3,
       so_3_of_quotient_3_left = so_3_of_quotient_3 - so_3_of_quotient_3_right,
       so_3_of_quotient_3_left_rest = quotient_3 - so_3_of_quotient_3_left,
       so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right,
       so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest,
-      so_3 = KSL_MUL(so_3_of_quotient_3, down), so_3_back = KSL_MUL(so_3, so_0_inverse),
-      so_3_lost = so_3_of_quotient_3 - so_3_back, so_3_rest = so_3_lost + so_3_of_quotient_3_lo,
-      so_3_small = KSL_MUL(so_3_rest, down), so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
+      so_3 = KSL_MUL(so_3_of_quotient_3, after_3), so_3_inverse = 1.0 / after_3,
+      so_3_back = KSL_MUL(so_3, so_3_inverse), so_3_lost = so_3_of_quotient_3 - so_3_back,
+      so_3_rest = so_3_lost + so_3_of_quotient_3_lo, so_3_small = KSL_MUL(so_3_rest, after_3),
+      so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
   const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4,
       so_4_of_quotient_4_left = so_4_of_quotient_4 - so_4_of_quotient_4_right,
       so_4_of_quotient_4_left_rest = quotient_4 - so_4_of_quotient_4_left,
       so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right,
       so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest,
-      so_4 = KSL_MUL(so_4_of_quotient_4, down), so_4_back = KSL_MUL(so_4, so_0_inverse),
-      so_4_lost = so_4_of_quotient_4 - so_4_back, so_4_rest = so_4_lost + so_4_of_quotient_4_lo,
-      so_4_small = KSL_MUL(so_4_rest, down), so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
+      so_4 = KSL_MUL(so_4_of_quotient_4, after_4), so_4_inverse = 1.0 / after_4,
+      so_4_back = KSL_MUL(so_4, so_4_inverse), so_4_lost = so_4_of_quotient_4 - so_4_back,
+      so_4_rest = so_4_lost + so_4_of_quotient_4_lo, so_4_small = KSL_MUL(so_4_rest, after_4),
+      so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
   const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5,
       so_5_of_quotient_5_left = so_5_of_quotient_5 - so_5_of_quotient_5_right,
       so_5_of_quotient_5_left_rest = quotient_5 - so_5_of_quotient_5_left,
       so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right,
       so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest,
-      so_5 = KSL_MUL(so_5_of_quotient_5, down), so_5_back = KSL_MUL(so_5, so_0_inverse),
-      so_5_lost = so_5_of_quotient_5 - so_5_back, so_5_rest = so_5_lost + so_5_of_quotient_5_lo,
-      so_5_small = KSL_MUL(so_5_rest, down), so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
+      so_5 = KSL_MUL(so_5_of_quotient_5, after_5), so_5_inverse = 1.0 / after_5,
+      so_5_back = KSL_MUL(so_5, so_5_inverse), so_5_lost = so_5_of_quotient_5 - so_5_back,
+      so_5_rest = so_5_lost + so_5_of_quotient_5_lo, so_5_small = KSL_MUL(so_5_rest, after_5),
+      so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
   const double so_0_rounded = so_0 + so_0_lo,
       so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
   const double so_1_rounded = so_1 + so_1_lo,
@@ -2331,7 +2322,7 @@ static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double small_a = fabs((double)self->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
@@ -2351,40 +2342,44 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs((double)self->m0);
-  const double beside_1 = fabs((double)self->m1);
-  const double beside_2 = fabs((double)self->m2);
-  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
-      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)self->m0, up);
-  const double enlarged_1 = KSL_MUL((double)self->m1, up);
-  const double enlarged_2 = KSL_MUL((double)self->m2, up);
-  const double enlarged_3 = KSL_MUL((double)self->m3, up);
-  const double enlarged_4 = KSL_MUL((double)self->m4, up);
-  const double enlarged_5 = KSL_MUL((double)self->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
-  const double self_4_new = KSL_MUL(quotient_4, down);
-  const double self_5_new = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs((double)self->m0);
+  const double size_1 = fabs((double)self->m1);
+  const double size_2 = fabs((double)self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0);
+  const double sized_1 = KSL_MUL((double)self->m1, before_1);
+  const double sized_2 = KSL_MUL((double)self->m2, before_2);
+  const double sized_3 = KSL_MUL((double)self->m3, before_3);
+  const double sized_4 = KSL_MUL((double)self->m4, before_4);
+  const double sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0);
+  const double self_1_new = KSL_MUL(quotient_1, after_1);
+  const double self_2_new = KSL_MUL(quotient_2, after_2);
+  const double self_3_new = KSL_MUL(quotient_3, after_3);
+  const double self_4_new = KSL_MUL(quotient_4, after_4);
+  const double self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2395,7 +2390,7 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select. */
+   18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select. */
 static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_screwf_t *so) {
   const double small_a = fabs((double)si->m5),
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
@@ -2415,40 +2410,44 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
   const double y_0 = KSL_MUL(p_0, s);
   const double y_1 = KSL_MUL(p_1, s);
   const double y_2 = KSL_MUL(p_2, s);
-  const double beside_0 = fabs((double)si->m0);
-  const double beside_1 = fabs((double)si->m1);
-  const double beside_2 = fabs((double)si->m2);
-  const double room_b = small_a < 4.611686018427388e+18 ? 1.0 : 0.0,
-      room_d = small_d < 4.611686018427388e+18 ? room_b : 0.0,
-      room_f = small_g < 4.611686018427388e+18 ? room_d : 0.0,
-      room_h = beside_2 < 4.611686018427388e+18 ? room_f : 0.0,
-      room_j = beside_1 < 4.611686018427388e+18 ? room_h : 0.0,
-      room = beside_0 < 4.611686018427388e+18 ? room_j : 0.0;
-  const double up_b = 1.0 < s ? s : 1.0, up = room == 1.0 ? up_b : 1.0;
+  const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
-  const double back_a = 1.0 < s ? 5.551115123125783e-17 : 1.0, back = room == 0.0 ? back_a : 1.0;
-  const double unscaled = KSL_MUL(n, back);
-  const double divisor = unscaled == 0.0 ? up : unscaled;
-  const double enlarged_0 = KSL_MUL((double)si->m0, up);
-  const double enlarged_1 = KSL_MUL((double)si->m1, up);
-  const double enlarged_2 = KSL_MUL((double)si->m2, up);
-  const double enlarged_3 = KSL_MUL((double)si->m3, up);
-  const double enlarged_4 = KSL_MUL((double)si->m4, up);
-  const double enlarged_5 = KSL_MUL((double)si->m5, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
-  const double quotient_3 = enlarged_3 / divisor;
-  const double quotient_4 = enlarged_4 / divisor;
-  const double quotient_5 = enlarged_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, down);
-  const double so_1 = KSL_MUL(quotient_1, down);
-  const double so_2 = KSL_MUL(quotient_2, down);
-  const double so_3 = KSL_MUL(quotient_3, down);
-  const double so_4 = KSL_MUL(quotient_4, down);
-  const double so_5 = KSL_MUL(quotient_5, down);
+  const double divisor = n == 0.0 ? up : n;
+  const double size_0 = fabs((double)si->m0);
+  const double size_1 = fabs((double)si->m1);
+  const double size_2 = fabs((double)si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down;
+  const double before_1 = size_1 < 256.0 ? up : down;
+  const double before_2 = size_2 < 256.0 ? up : down;
+  const double before_3 = small_g < 256.0 ? up : down;
+  const double before_4 = small_d < 256.0 ? up : down;
+  const double before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up;
+  const double after_1 = size_1 < 256.0 ? down : up;
+  const double after_2 = size_2 < 256.0 ? down : up;
+  const double after_3 = small_g < 256.0 ? down : up;
+  const double after_4 = small_d < 256.0 ? down : up;
+  const double after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)si->m0, before_0);
+  const double sized_1 = KSL_MUL((double)si->m1, before_1);
+  const double sized_2 = KSL_MUL((double)si->m2, before_2);
+  const double sized_3 = KSL_MUL((double)si->m3, before_3);
+  const double sized_4 = KSL_MUL((double)si->m4, before_4);
+  const double sized_5 = KSL_MUL((double)si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
+  const double quotient_3 = sized_3 / divisor;
+  const double quotient_4 = sized_4 / divisor;
+  const double quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0);
+  const double so_1 = KSL_MUL(quotient_1, after_1);
+  const double so_2 = KSL_MUL(quotient_2, after_2);
+  const double so_3 = KSL_MUL(quotient_3, after_3);
+  const double so_4 = KSL_MUL(quotient_4, after_4);
+  const double so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

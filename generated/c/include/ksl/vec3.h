@@ -224,12 +224,12 @@ static inline void ksl_vec3_normalize(ksl_vec3_t *self) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -258,12 +258,12 @@ static inline void ksl_vec3_normalized(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);
@@ -685,12 +685,12 @@ static inline void ksl_vec3f_normalize(ksl_vec3f_t *self) {
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(self->x, up);
-  const float enlarged_1 = KSL_MULF(self->y, up);
-  const float enlarged_2 = KSL_MULF(self->z, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
+  const float sized_0 = KSL_MULF(self->x, up);
+  const float sized_1 = KSL_MULF(self->y, up);
+  const float sized_2 = KSL_MULF(self->z, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
   const float self_0_new = KSL_MULF(quotient_0, down);
   const float self_1_new = KSL_MULF(quotient_1, down);
   const float self_2_new = KSL_MULF(quotient_2, down);
@@ -719,12 +719,12 @@ static inline void ksl_vec3f_normalized(const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
   const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
   const float divisor = n == 0.0f ? up : n;
-  const float enlarged_0 = KSL_MULF(v->x, up);
-  const float enlarged_1 = KSL_MULF(v->y, up);
-  const float enlarged_2 = KSL_MULF(v->z, up);
-  const float quotient_0 = enlarged_0 / divisor;
-  const float quotient_1 = enlarged_1 / divisor;
-  const float quotient_2 = enlarged_2 / divisor;
+  const float sized_0 = KSL_MULF(v->x, up);
+  const float sized_1 = KSL_MULF(v->y, up);
+  const float sized_2 = KSL_MULF(v->z, up);
+  const float quotient_0 = sized_0 / divisor;
+  const float quotient_1 = sized_1 / divisor;
+  const float quotient_2 = sized_2 / divisor;
   const float vo_0 = KSL_MULF(quotient_0, down);
   const float vo_1 = KSL_MULF(quotient_1, down);
   const float vo_2 = KSL_MULF(quotient_2, down);

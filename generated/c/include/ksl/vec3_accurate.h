@@ -269,35 +269,35 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(self->x, up);
-  const double enlarged_1 = KSL_MUL(self->y, up);
-  const double enlarged_2 = KSL_MUL(self->z, up);
+  const double sized_0 = KSL_MUL(self->x, up);
+  const double sized_1 = KSL_MUL(self->y, up);
+  const double sized_2 = KSL_MUL(self->z, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
@@ -389,35 +389,35 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
       divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
       divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double enlarged_0 = KSL_MUL(v->x, up);
-  const double enlarged_1 = KSL_MUL(v->y, up);
-  const double enlarged_2 = KSL_MUL(v->z, up);
+  const double sized_0 = KSL_MUL(v->x, up);
+  const double sized_1 = KSL_MUL(v->y, up);
+  const double sized_2 = KSL_MUL(v->z, up);
   const double quotient_0_of_divisor = divisor + divisor_lo,
       quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
       quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
       quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
       quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = enlarged_0 / quotient_0_of_divisor,
+      quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
       quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
-      quotient_0_rest = enlarged_0 - quotient_0_product,
+      quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
       quotient_0_residual = quotient_0_exact - quotient_0_cross,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = enlarged_1 / quotient_0_of_divisor,
+  const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
       quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
-      quotient_1_rest = enlarged_1 - quotient_1_product,
+      quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
       quotient_1_residual = quotient_1_exact - quotient_1_cross,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = enlarged_2 / quotient_0_of_divisor,
+  const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
       quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
-      quotient_2_rest = enlarged_2 - quotient_2_product,
+      quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
       quotient_2_residual = quotient_2_exact - quotient_2_cross,
@@ -1012,12 +1012,12 @@ static inline void ksl_vec3f_normalize_accurate(ksl_vec3f_t *self) {
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)self->x, up);
-  const double enlarged_1 = KSL_MUL((double)self->y, up);
-  const double enlarged_2 = KSL_MUL((double)self->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL((double)self->x, up);
+  const double sized_1 = KSL_MUL((double)self->y, up);
+  const double sized_2 = KSL_MUL((double)self->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double self_0_new = KSL_MUL(quotient_0, down);
   const double self_1_new = KSL_MUL(quotient_1, down);
   const double self_2_new = KSL_MUL(quotient_2, down);
@@ -1046,12 +1046,12 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
       n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
   const double divisor = n == 0.0 ? up : n;
-  const double enlarged_0 = KSL_MUL((double)v->x, up);
-  const double enlarged_1 = KSL_MUL((double)v->y, up);
-  const double enlarged_2 = KSL_MUL((double)v->z, up);
-  const double quotient_0 = enlarged_0 / divisor;
-  const double quotient_1 = enlarged_1 / divisor;
-  const double quotient_2 = enlarged_2 / divisor;
+  const double sized_0 = KSL_MUL((double)v->x, up);
+  const double sized_1 = KSL_MUL((double)v->y, up);
+  const double sized_2 = KSL_MUL((double)v->z, up);
+  const double quotient_0 = sized_0 / divisor;
+  const double quotient_1 = sized_1 / divisor;
+  const double quotient_2 = sized_2 / divisor;
   const double vo_0 = KSL_MUL(quotient_0, down);
   const double vo_1 = KSL_MUL(quotient_1, down);
   const double vo_2 = KSL_MUL(quotient_2, down);

@@ -691,16 +691,16 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -964,16 +964,16 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) ->
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:

@@ -285,8 +285,8 @@ def coscrew_normalize(self):
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_2)
@@ -308,16 +308,7 @@ def coscrew_normalize(self):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    beside_3 = absolute(self_3)
-    beside_4 = absolute(self_4)
-    beside_5 = absolute(self_5)
-    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
-    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
-    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
-    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
-    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
-    room = where(small_g < 6.703903964971299e+153, room_j, 0)
-    up = where(room == 1, where(1 < s, s, 1), 1)
+    up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -336,69 +327,72 @@ def coscrew_normalize(self):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
-    unscaled_of_n = n + n_lo
-    unscaled_of_n_right = unscaled_of_n - n
-    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
-    unscaled = unscaled_of_n * back
-    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
-    unscaled_rest = unscaled_lost + unscaled_of_n_lo
-    unscaled_small = unscaled_rest * back
-    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
-    divisor_a_of_unscaled = unscaled + unscaled_lo
-    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
-    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
-    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
-    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
-    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
-    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
-    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
-    enlarged_0 = self_0 * up
-    enlarged_1 = self_1 * up
-    enlarged_2 = self_2 * up
-    enlarged_3 = self_3 * up
-    enlarged_4 = self_4 * up
-    enlarged_5 = self_5 * up
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    size_3 = absolute(self_3)
+    size_4 = absolute(self_4)
+    size_5 = absolute(self_5)
+    before_0 = where(small_g < 256, up, down)
+    before_1 = where(small_d < 256, up, down)
+    before_2 = where(small_a < 256, up, down)
+    before_3 = where(size_3 < 256, up, down)
+    before_4 = where(size_4 < 256, up, down)
+    before_5 = where(size_5 < 256, up, down)
+    after_0 = where(small_g < 256, down, up)
+    after_1 = where(small_d < 256, down, up)
+    after_2 = where(small_a < 256, down, up)
+    after_3 = where(size_3 < 256, down, up)
+    after_4 = where(size_4 < 256, down, up)
+    after_5 = where(size_5 < 256, down, up)
+    sized_0 = self_0 * before_0
+    sized_1 = self_1 * before_1
+    sized_2 = self_2 * before_2
+    sized_3 = self_3 * before_3
+    sized_4 = self_4 * before_4
+    sized_5 = self_5 * before_5
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
     quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
     quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
     quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1 = sized_1 / quotient_0_of_divisor
     quotient_1_product = quotient_1 * quotient_0_of_divisor
     quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
     quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
     quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2 = sized_2 / quotient_0_of_divisor
     quotient_2_product = quotient_2 * quotient_0_of_divisor
     quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
     quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
     quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3 = sized_3 / quotient_0_of_divisor
     quotient_3_product = quotient_3 * quotient_0_of_divisor
     quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
     quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
     quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    quotient_4 = enlarged_4 / quotient_0_of_divisor
+    quotient_4 = sized_4 / quotient_0_of_divisor
     quotient_4_product = quotient_4 * quotient_0_of_divisor
     quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
-    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_exact = sized_4 - quotient_4_product - quotient_4_product_error
     quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
     quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
-    quotient_5 = enlarged_5 / quotient_0_of_divisor
+    quotient_5 = sized_5 / quotient_0_of_divisor
     quotient_5_product = quotient_5 * quotient_0_of_divisor
     quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
-    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_exact = sized_5 - quotient_5_product - quotient_5_product_error
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
@@ -407,11 +401,10 @@ def coscrew_normalize(self):
     self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
     self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new = self_0_new_of_quotient_0 * down
-    self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
+    self_0_new = self_0_new_of_quotient_0 * after_0
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * (1 / after_0)
     self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
-    self_0_new_small = self_0_new_rest * down
+    self_0_new_small = self_0_new_rest * after_0
     self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
@@ -419,10 +412,10 @@ def coscrew_normalize(self):
     self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
+    self_1_new = self_1_new_of_quotient_1 * after_1
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * (1 / after_1)
     self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
-    self_1_new_small = self_1_new_rest * down
+    self_1_new_small = self_1_new_rest * after_1
     self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
@@ -430,10 +423,10 @@ def coscrew_normalize(self):
     self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
+    self_2_new = self_2_new_of_quotient_2 * after_2
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * (1 / after_2)
     self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
-    self_2_new_small = self_2_new_rest * down
+    self_2_new_small = self_2_new_rest * after_2
     self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
@@ -441,10 +434,10 @@ def coscrew_normalize(self):
     self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new = self_3_new_of_quotient_3 * down
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
+    self_3_new = self_3_new_of_quotient_3 * after_3
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * (1 / after_3)
     self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
-    self_3_new_small = self_3_new_rest * down
+    self_3_new_small = self_3_new_rest * after_3
     self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
     self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
     self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4
@@ -452,10 +445,10 @@ def coscrew_normalize(self):
     self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left
     self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right
     self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest
-    self_4_new = self_4_new_of_quotient_4 * down
-    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * self_0_new_inverse
+    self_4_new = self_4_new_of_quotient_4 * after_4
+    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * (1 / after_4)
     self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo
-    self_4_new_small = self_4_new_rest * down
+    self_4_new_small = self_4_new_rest * after_4
     self_4_new_lo = where(self_4_new_lost == 0, 0, self_4_new_small)
     self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
     self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5
@@ -463,10 +456,10 @@ def coscrew_normalize(self):
     self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left
     self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right
     self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest
-    self_5_new = self_5_new_of_quotient_5 * down
-    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * self_0_new_inverse
+    self_5_new = self_5_new_of_quotient_5 * after_5
+    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * (1 / after_5)
     self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo
-    self_5_new_small = self_5_new_rest * down
+    self_5_new_small = self_5_new_rest * after_5
     self_5_new_lo = where(self_5_new_lost == 0, 0, self_5_new_small)
     self_0_new_rounded = self_0_new + self_0_new_lo
     self_1_new_rounded = self_1_new + self_1_new_lo
@@ -487,8 +480,8 @@ def coscrew_normalized(ci):
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    46 mul, 112 add, 7 product error, 3 product rest, 15 div, 1 sqrt, 9 abs, 16 less, 18 equal,
-    38 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
+    40 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_a = absolute(ci_2)
@@ -510,16 +503,7 @@ def coscrew_normalized(ci):
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
-    beside_3 = absolute(ci_3)
-    beside_4 = absolute(ci_4)
-    beside_5 = absolute(ci_5)
-    room_b = where(beside_5 < 6.703903964971299e+153, float64(1), float64(0))
-    room_d = where(beside_4 < 6.703903964971299e+153, room_b, 0)
-    room_f = where(beside_3 < 6.703903964971299e+153, room_d, 0)
-    room_h = where(small_a < 6.703903964971299e+153, room_f, 0)
-    room_j = where(small_d < 6.703903964971299e+153, room_h, 0)
-    room = where(small_g < 6.703903964971299e+153, room_j, 0)
-    up = where(room == 1, where(1 < s, s, 1), 1)
+    up = where(1 < s, s, 1)
     down = where(s < 1, s, 1)
     n_a = y_0 * y_0
     n_b = y_1 * y_1
@@ -538,69 +522,72 @@ def coscrew_normalized(ci):
     n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
     n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
     n_lo = n_residual / where(n == 0, 1, n + n)
-    back = where(room == 0, where(1 < s, float64(7.637340908749012e-152), float64(1)), 1)
-    unscaled_of_n = n + n_lo
-    unscaled_of_n_right = unscaled_of_n - n
-    unscaled_of_n_lo = n - (unscaled_of_n - unscaled_of_n_right) + (n_lo - unscaled_of_n_right)
-    unscaled = unscaled_of_n * back
-    unscaled_lost = unscaled_of_n - unscaled * (1 / back)
-    unscaled_rest = unscaled_lost + unscaled_of_n_lo
-    unscaled_small = unscaled_rest * back
-    unscaled_lo = where(unscaled_lost == 0, 0, unscaled_small)
-    divisor_a_of_unscaled = unscaled + unscaled_lo
-    divisor_a_of_unscaled_right = divisor_a_of_unscaled - unscaled
-    divisor_a_of_unscaled_left = divisor_a_of_unscaled - divisor_a_of_unscaled_right
-    divisor_a_of_unscaled_left_rest = unscaled - divisor_a_of_unscaled_left
-    divisor_a_of_unscaled_right_rest = unscaled_lo - divisor_a_of_unscaled_right
-    divisor_a_of_unscaled_lo = divisor_a_of_unscaled_left_rest + divisor_a_of_unscaled_right_rest
-    divisor = where(divisor_a_of_unscaled == 0, up, divisor_a_of_unscaled)
-    divisor_lo = where(divisor_a_of_unscaled == 0, 0, divisor_a_of_unscaled_lo)
-    enlarged_0 = ci_0 * up
-    enlarged_1 = ci_1 * up
-    enlarged_2 = ci_2 * up
-    enlarged_3 = ci_3 * up
-    enlarged_4 = ci_4 * up
-    enlarged_5 = ci_5 * up
+    divisor_a_of_n = n + n_lo
+    divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
+    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
+    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    size_3 = absolute(ci_3)
+    size_4 = absolute(ci_4)
+    size_5 = absolute(ci_5)
+    before_0 = where(small_g < 256, up, down)
+    before_1 = where(small_d < 256, up, down)
+    before_2 = where(small_a < 256, up, down)
+    before_3 = where(size_3 < 256, up, down)
+    before_4 = where(size_4 < 256, up, down)
+    before_5 = where(size_5 < 256, up, down)
+    after_0 = where(small_g < 256, down, up)
+    after_1 = where(small_d < 256, down, up)
+    after_2 = where(small_a < 256, down, up)
+    after_3 = where(size_3 < 256, down, up)
+    after_4 = where(size_4 < 256, down, up)
+    after_5 = where(size_5 < 256, down, up)
+    sized_0 = ci_0 * before_0
+    sized_1 = ci_1 * before_1
+    sized_2 = ci_2 * before_2
+    sized_3 = ci_3 * before_3
+    sized_4 = ci_4 * before_4
+    sized_5 = ci_5 * before_5
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
     quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = enlarged_0 / quotient_0_of_divisor
+    quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = enlarged_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
     quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
     quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = enlarged_1 / quotient_0_of_divisor
+    quotient_1 = sized_1 / quotient_0_of_divisor
     quotient_1_product = quotient_1 * quotient_0_of_divisor
     quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = enlarged_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
     quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
     quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = enlarged_2 / quotient_0_of_divisor
+    quotient_2 = sized_2 / quotient_0_of_divisor
     quotient_2_product = quotient_2 * quotient_0_of_divisor
     quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = enlarged_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
     quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
     quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = enlarged_3 / quotient_0_of_divisor
+    quotient_3 = sized_3 / quotient_0_of_divisor
     quotient_3_product = quotient_3 * quotient_0_of_divisor
     quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = enlarged_3 - quotient_3_product - quotient_3_product_error
+    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
     quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
     quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    quotient_4 = enlarged_4 / quotient_0_of_divisor
+    quotient_4 = sized_4 / quotient_0_of_divisor
     quotient_4_product = quotient_4 * quotient_0_of_divisor
     quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
-    quotient_4_exact = enlarged_4 - quotient_4_product - quotient_4_product_error
+    quotient_4_exact = sized_4 - quotient_4_product - quotient_4_product_error
     quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
     quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
-    quotient_5 = enlarged_5 / quotient_0_of_divisor
+    quotient_5 = sized_5 / quotient_0_of_divisor
     quotient_5_product = quotient_5 * quotient_0_of_divisor
     quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
-    quotient_5_exact = enlarged_5 - quotient_5_product - quotient_5_product_error
+    quotient_5_exact = sized_5 - quotient_5_product - quotient_5_product_error
     quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
     quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
     co_0_of_quotient_0 = quotient_0 + quotient_0_lo
@@ -608,61 +595,60 @@ def coscrew_normalized(ci):
     co_0_of_quotient_0_left_rest = quotient_0 - (co_0_of_quotient_0 - co_0_of_quotient_0_right)
     co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right
     co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest
-    co_0 = co_0_of_quotient_0 * down
-    co_0_inverse = 1 / down
-    co_0_lost = co_0_of_quotient_0 - co_0 * co_0_inverse
+    co_0 = co_0_of_quotient_0 * after_0
+    co_0_lost = co_0_of_quotient_0 - co_0 * (1 / after_0)
     co_0_rest = co_0_lost + co_0_of_quotient_0_lo
-    co_0_small = co_0_rest * down
+    co_0_small = co_0_rest * after_0
     co_0_lo = where(co_0_lost == 0, 0, co_0_small)
     co_1_of_quotient_1 = quotient_1 + quotient_1_lo
     co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1
     co_1_of_quotient_1_left_rest = quotient_1 - (co_1_of_quotient_1 - co_1_of_quotient_1_right)
     co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right
     co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest
-    co_1 = co_1_of_quotient_1 * down
-    co_1_lost = co_1_of_quotient_1 - co_1 * co_0_inverse
+    co_1 = co_1_of_quotient_1 * after_1
+    co_1_lost = co_1_of_quotient_1 - co_1 * (1 / after_1)
     co_1_rest = co_1_lost + co_1_of_quotient_1_lo
-    co_1_small = co_1_rest * down
+    co_1_small = co_1_rest * after_1
     co_1_lo = where(co_1_lost == 0, 0, co_1_small)
     co_2_of_quotient_2 = quotient_2 + quotient_2_lo
     co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2
     co_2_of_quotient_2_left_rest = quotient_2 - (co_2_of_quotient_2 - co_2_of_quotient_2_right)
     co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right
     co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest
-    co_2 = co_2_of_quotient_2 * down
-    co_2_lost = co_2_of_quotient_2 - co_2 * co_0_inverse
+    co_2 = co_2_of_quotient_2 * after_2
+    co_2_lost = co_2_of_quotient_2 - co_2 * (1 / after_2)
     co_2_rest = co_2_lost + co_2_of_quotient_2_lo
-    co_2_small = co_2_rest * down
+    co_2_small = co_2_rest * after_2
     co_2_lo = where(co_2_lost == 0, 0, co_2_small)
     co_3_of_quotient_3 = quotient_3 + quotient_3_lo
     co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3
     co_3_of_quotient_3_left_rest = quotient_3 - (co_3_of_quotient_3 - co_3_of_quotient_3_right)
     co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right
     co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest
-    co_3 = co_3_of_quotient_3 * down
-    co_3_lost = co_3_of_quotient_3 - co_3 * co_0_inverse
+    co_3 = co_3_of_quotient_3 * after_3
+    co_3_lost = co_3_of_quotient_3 - co_3 * (1 / after_3)
     co_3_rest = co_3_lost + co_3_of_quotient_3_lo
-    co_3_small = co_3_rest * down
+    co_3_small = co_3_rest * after_3
     co_3_lo = where(co_3_lost == 0, 0, co_3_small)
     co_4_of_quotient_4 = quotient_4 + quotient_4_lo
     co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4
     co_4_of_quotient_4_left_rest = quotient_4 - (co_4_of_quotient_4 - co_4_of_quotient_4_right)
     co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right
     co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest
-    co_4 = co_4_of_quotient_4 * down
-    co_4_lost = co_4_of_quotient_4 - co_4 * co_0_inverse
+    co_4 = co_4_of_quotient_4 * after_4
+    co_4_lost = co_4_of_quotient_4 - co_4 * (1 / after_4)
     co_4_rest = co_4_lost + co_4_of_quotient_4_lo
-    co_4_small = co_4_rest * down
+    co_4_small = co_4_rest * after_4
     co_4_lo = where(co_4_lost == 0, 0, co_4_small)
     co_5_of_quotient_5 = quotient_5 + quotient_5_lo
     co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5
     co_5_of_quotient_5_left_rest = quotient_5 - (co_5_of_quotient_5 - co_5_of_quotient_5_right)
     co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right
     co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest
-    co_5 = co_5_of_quotient_5 * down
-    co_5_lost = co_5_of_quotient_5 - co_5 * co_0_inverse
+    co_5 = co_5_of_quotient_5 * after_5
+    co_5_lost = co_5_of_quotient_5 - co_5 * (1 / after_5)
     co_5_rest = co_5_lost + co_5_of_quotient_5_lo
-    co_5_small = co_5_rest * down
+    co_5_small = co_5_rest * after_5
     co_5_lo = where(co_5_lost == 0, 0, co_5_small)
     co_0_rounded = co_0 + co_0_lo
     co_1_rounded = co_1 + co_1_lo

@@ -705,14 +705,14 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> N
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -982,14 +982,14 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) ->
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    19 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 4 equal, 23 select.
+    18 mul, 2 add, 6 div, 1 sqrt, 9 abs, 16 less, 2 equal, 26 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
