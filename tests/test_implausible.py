@@ -52,6 +52,19 @@ def test_implausible_bodies_are_refused_with_the_way_round(written, body):
     assert str(caught.value).endswith('implausible = "warn" lets it through')
 
 
+def test_load_scene_lets_them_through_and_warns(written):
+    path = written(robot(next(iter(BODIES))))
+    with pytest.raises(SceneError, match="lets it through"):
+        load_scene(path)
+    with pytest.warns(RuntimeWarning, match=f"robot: .*{next(iter(BODIES))!r}"):
+        its = load_scene(path, implausible="warn", precision="double")
+    assert list(its.double) and not list(its.single)
+    with pytest.raises(ValueError, match="implausible = 'warm'; wanted one of error, warn"):
+        load_scene(path, implausible="warm")
+    with pytest.raises(TypeError, match="belong to a scene file"):
+        load_scene(its.scene, precision="both")
+
+
 @pytest.mark.parametrize("body", BODIES)
 def test_implausible_bodies_that_are_let_through_move_as_pinocchio_says(written, body):
     """Accelerations are finite and Pinocchio's, within 1e-12: it takes such bodies as they are."""

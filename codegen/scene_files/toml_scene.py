@@ -42,6 +42,11 @@ class Said:
     precision: str | None = None  # double, single, both
     implausible: str | None = None  # error, warn
 
+    def __post_init__(self) -> None:
+        for key, choices in (("precision", PRECISIONS), ("implausible", (ERROR, WARN))):
+            if (word := getattr(self, key)) not in (None, *choices):
+                raise ValueError(f"{key} = {word!r}; wanted one of {', '.join(choices)}")
+
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
                said: Said = Said()) -> Scene:

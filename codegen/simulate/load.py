@@ -100,24 +100,29 @@ class Kernels:
         return f"<kernels of {self.functions.name}: {self.compiler or 'pure NumPy'}>"
 
 
-def load_scene(scene: Scene | Path | str) -> Kernels:
+def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
+               implausible: str | None = None) -> Kernels:
     """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
     header.
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
     $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
-    generated Python runs.  A scene file that says `precision = "double"` has no `single`; what
-    `implausible = "warn"` lets through is warned of.  Raises TypeError for what is neither,
+    generated Python runs.  `precision` and `implausible` stand in for what the file says of them:
+    a scene of precision "double" has no `single`; what implausible "warn" lets through is warned
+    of.  Raises TypeError for what is neither file nor Scene, ValueError for unknown words,
     RangeError for numbers that a precision cannot hold, and what reading the scene raises.
     """
     if isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene_files.toml_scene import read_scene
-        scene = read_scene(Path(scene))
+        from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+        scene = read_scene(Path(scene), said=Said(precision, implausible))
         for line in scene.model.implausible:
             warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
+    elif precision or implausible:
+        raise TypeError("load_scene: precision and implausible belong to a scene file; this Scene "
+                        "has its own")
     return kernels_of(derive(scene), scene)
 
 
