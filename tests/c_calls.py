@@ -134,17 +134,17 @@ def _aliased(operation: Operation, precision: Precision, tier: str) -> Iterator[
         return
     outputs = {a.name for a in operation.outputs}
     passed = [a for a in parameters(operation) if a.quantity.shape]
-    bounds = {a.name for a in operation.outputs if a.name.endswith("_bound")}
+    may_be_one = operation.name.endswith("_swap")  # else two results cannot be one object
     for whole, part in permutations(passed, 2):
-        if outputs >= {whole.name, part.name} and bounds & {whole.name, part.name}:
-            continue  # two results cannot be one object
+        if outputs >= {whole.name, part.name} and not may_be_one:
+            continue
         if whole.name in outputs or part.name in outputs and whole.quantity != part.quantity:
             for place in _places(whole.quantity, part.quantity):
                 yield _shared(operation, precision, tier, whole, {part: place})
     for whole in operation.outputs:
         within = {a: _places(whole.quantity, a.quantity)[0] for a in passed
                   if a != whole and _places(whole.quantity, a.quantity)
-                  and not (a in operation.outputs and bounds & {a.name, whole.name})}
+                  and (may_be_one or a not in operation.outputs)}
         if len(within) > 1:
             yield _shared(operation, precision, tier, whole, within)
 

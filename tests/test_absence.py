@@ -129,6 +129,7 @@ def test_bare_scenes_know_no_time_and_no_effects() -> None:
     functions = derive(made)
     assert not functions.timed
     used = {op.value for f in functions.functions for op in f.program.counts}
-    assert used <= {"add", "sub", "mul", "div", "neg", "sin", "cos", "sqrt", "less", "select"}
+    assert used <= {"add", "sub", "mul", "div", "neg", "abs", "sin", "cos", "sqrt", "less",
+                    "select"}
     power = next(f for f in functions.functions if f.name == "power").program
     assert not power.instructions

@@ -110,8 +110,8 @@ def test_angles_beyond_pi(name: str, precision: Precision):
 @each_precision
 @pytest.mark.parametrize("name", ["SO3_exp", "SO3_leftJacobian", "quaternion_exp", "SE3_exp"])
 def test_angles_beyond_the_domain(name: str, precision: Precision):
-    """Rotations but for 2^-14, by angles off by rounding: the correction of θ, of the first order, is
-    below 2^-7.  Where θ² overflows, NaN."""
+    """Rotations but for 2^-14, by angles off by rounding: the correction of θ, of the first order,
+    is below 2^-7.  Where θ² overflows, NaN."""
     operation = TABLE[name]
     for size in (LARGEST_ANGLE[precision.name] * 100, 2.0**50):  # still rotations, of other angles
         x = np.zeros((1, operation.inputs[0].quantity.size), precision.numpy_type)
