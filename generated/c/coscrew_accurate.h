@@ -22,8 +22,17 @@
 #error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
 #elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
     (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
-#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+#error "-funsafe-math-optimizations or a part of it breaks the bits promised here; \
 define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
+__extension__ _Static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
+#elif defined(__GNUC__) && !defined(__clang__) && __cplusplus >= 201103L
+static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
 #endif
 #endif
 
