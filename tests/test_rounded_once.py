@@ -1,7 +1,7 @@
-"""The text of all emitted C rounds once a statement: compilers find nothing to fuse or to widen.
+"""The text of all emitted C rounds once a statement, so that compilers find nothing to fuse.
 
-Outside KSL_MUL no product of two numbers that could round, and between commas and semicolons one
-operation: what C evaluates in a wider type (FLT_EVAL_METHOD 1) is rounded where it is stored.
+Outside KSL_MUL there is no product of two numbers that could round; and between commas and
+semicolons there is one operation, since clang fuses within expressions by default.
 """
 
 import re
