@@ -19,7 +19,8 @@
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 1
-#error "floats are computed in double: compile with -fexcess-precision=fast, or define KSL_ALLOW_FAST_MATH"
+#error "floats are computed in double: compile with -fexcess-precision=fast; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
 #error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
 #elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \

@@ -78,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "0dbace9f1806b253") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "1788fdd6988a05ba") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "0dbace9f1806b253")
+COMPILED: bool = is_compiled("coscrew._gufunc", "1788fdd6988a05ba")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "ed3d969b9ac4d95d")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "545d98eeba4326dd")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

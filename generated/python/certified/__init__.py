@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "ea55491f4ab91941")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "eb986e522d2dc1d4")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
