@@ -40,7 +40,7 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     """The texts of arm.h and arm.c."""
     sections = [{"precision": p, "functions": _functions(scene, p)}
                 for p in named(scene.precisions)]
-    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 10000 major + 100 minor + patch */"),
+    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
