@@ -11,18 +11,23 @@
 
 #if !defined(KSL_ALLOW_FAST_MATH)
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffast-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-freciprocal-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__NO_SIGNED_ZEROS__)
-#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-fno-signed-zeros breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffinite-math-only breaks what is promised of NaN; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 1
 #error "floats are computed in double: compile with -fexcess-precision=fast; \
 define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
-#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
     (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
 #error "-funsafe-math-optimizations or a part of it breaks the bits promised here; \
@@ -22887,7 +22892,7 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   double least;
   int rank = 0;
   ksl_mat3x3_pca(&D, &L);
-  least = 1.4210854715202004e-14 * D.m00;
+  least = KSL_MUL(1.4210854715202004e-14, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (double)NAN;
     return -1;
@@ -22934,7 +22939,7 @@ static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
   float least;
   int rank = 0;
   ksl_mat3x3f_pca(&D, &L);
-  least = 7.6293945e-06f * D.m00;
+  least = KSL_MULF(7.6293945e-06f, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (float)NAN;
     return -1;
