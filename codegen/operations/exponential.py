@@ -100,10 +100,10 @@ _ROTATIONS = (
         _exp, _bound_exp, (Normwise("R", 6, per_angle=200),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
         "as much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (Normwise("vo", 6),)),
+        lambda let, R: _log(let, R)[0], (Normwise("vo", 7),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
-          partial(_bound_jacobian, sign), (Normwise("R", 6, per_angle=200),))
+          partial(_bound_jacobian, sign), (Normwise("R", 7, per_angle=200),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
           "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",

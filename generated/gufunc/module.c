@@ -78,7 +78,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "59e202230ac01ccb") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "42c92fa1142c5799") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

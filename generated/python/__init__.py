@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "59e202230ac01ccb")
+COMPILED: bool = is_compiled("coscrew._gufunc", "42c92fa1142c5799")
 
 if COMPILED:
     from coscrew._gufunc import (

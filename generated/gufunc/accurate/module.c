@@ -76,7 +76,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "7b9e0c4dce4be09c") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "38b80375359944a3") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

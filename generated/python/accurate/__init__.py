@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "7b9e0c4dce4be09c")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "38b80375359944a3")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -130,7 +130,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 6 u of its largest component for R a rotation; searched, not proved.
+    vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -193,7 +193,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +
     θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
@@ -329,7 +329,7 @@ def SO3_rightJacobian(v):
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
-    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
+    (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
     not proved.
     """
     v_0, v_1, v_2 = v
