@@ -26,7 +26,8 @@ _INCLUDES = {
     "mat4x4": ("SE3", "vec4"),
     "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
     "quaternion": ("mat3x3",), "exponential": ("quaternion", "SE3", "screw"),
-    "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3", "coscrew"),
+    "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3",),
+    "spatial_inertia": ("inertia", "coscrew"),
 }
 
 # Short names of constructors, in Python.

@@ -85,13 +85,18 @@ QUATERNION = Quantity("quaternion", (4,), (Part("v", range(3), range(1)),
                                            Part("w", range(3, 4), range(1))),
                       "quaternion (x, y, z, w), the scalar last")
 INERTIA = Quantity("inertia", (10,), (Part("m", range(1), range(1)),
-                                      Part("h", range(1, 4), range(1)),
+                                      Part("mt", range(1, 4), range(1)),
                                       Part("I", range(4, 10), range(1))),
-                   "spatial inertia (m in kg; h = m c in kg m; I about the origin, "
-                   "xx, yy, zz, xy, xz, yz in kg m^2)")
+                   "inertia (m in kg; mt = m c in kg m; I about the centre of mass c, "
+                   "xx, yy, zz, xy, yz, zx in kg m^2)")
+SPATIAL_INERTIA = Quantity("spatial_inertia", (10,), (Part("m", range(1), range(1)),
+                                                      Part("h", range(1, 4), range(1)),
+                                                      Part("I", range(4, 10), range(1))),
+                           "spatial inertia (m in kg; h = m c in kg m; I about the origin, "
+                           "xx, yy, zz, xy, xz, yz in kg m^2)")
 
 QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
-              QUATERNION, INERTIA)
+              QUATERNION, INERTIA, SPATIAL_INERTIA)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """Spatial inertias and symmetric matrices on exact numbers: what their operations compute.
 
-Written from 6×6 operators and determinants; B = (m; h; xx, yy, zz, xy, xz, yz).
+Written from 6×6 operators and determinants; B = (m; h; xx, yy, zz, xy, xz, yz), and with moments
+about the centre of mass, as in KSL, J = (m; m c; xx, yy, zz, xy, yz, zx).
 """
 
 from collections.abc import Callable
@@ -50,7 +51,7 @@ def transformed(D: Matrix, B: Matrix) -> Matrix:
 def from_com(m: Fraction, com: Matrix, Ic: Matrix) -> Matrix:
     """Ic about the centre of mass, moved by com."""
     at_com = np.array([m, 0, 0, 0, *(Ic[i, j] for i, j in UPPER)], dtype=object)
-    return transformed(np.hstack([np.eye(3, dtype=int), com[:, None]]).astype(object), at_com)
+    return transformed(_moved(com), at_com)
 
 
 def determinant(A: Matrix) -> Fraction:
@@ -75,21 +76,78 @@ def pseudo_inertia(B: Matrix) -> Matrix:
     return np.block([[np.array([[B[0]]], dtype=object), B[None, 1:4]], [B[1:4, None], sigma]])
 
 
+def steiner(d: Matrix) -> Matrix:
+    """-d~ d~ = d·d 1 - d d^T, the moments of a unit mass at d."""
+    return -skew(d) @ skew(d)
+
+
+def moments(J: Matrix) -> Matrix:
+    """Of KSL's ten numbers: Ixx, Iyy, Izz, Ixy, Iyz, Izx as a matrix."""
+    xx, yy, zz, xy, yz, zx = J[4:]
+    return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]], dtype=object)
+
+
+def inertia(m: Fraction, mt: Matrix, I: Matrix) -> Matrix:
+    """KSL's ten numbers."""
+    return np.array([m, *mt, I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[1, 2], I[2, 0]], dtype=object)
+
+
+def spatial(J: Matrix) -> Matrix:
+    """B of KSL's ten numbers."""
+    return from_com(J[0], J[1:4] / J[0], moments(J))
+
+
+def centroidal(B: Matrix) -> Matrix:
+    """KSL's ten numbers of B: as seen from the centre of mass, but for m c."""
+    c = B[1:4] / B[0]
+    at_com = transformed(_moved(-c), B)
+    return inertia(B[0], B[1:4], second_moments(at_com))
+
+
+def _moved(t: Matrix) -> Matrix:
+    return np.hstack([np.eye(3, dtype=int), t[:, None]]).astype(object)
+
+
+def _turned(R: Matrix) -> Matrix:
+    return np.hstack([R, np.zeros((3, 1), dtype=object)])
+
+
+def transformed_inertia(J: Matrix, D: Matrix) -> Matrix:
+    """By way of the operator, in the frame D takes its own to."""
+    return centroidal(transformed(D, spatial(J)))
+
+
+def merged(Ji: Matrix, t_ic: Matrix, Jj: Matrix, t_jc: Matrix, D: Matrix) -> Matrix:
+    """Steiner's theorem for each body, about the common centre of mass x."""
+    R, t, mi, mj = D[:, :3], D[:, 3], Ji[0], Jj[0]
+    c = R @ t_jc + t
+    x = (mi * t_ic + mj * c) / (mi + mj)
+    I = moments(Ji) + mi * steiner(t_ic - x) + R @ moments(Jj) @ R.T + mj * steiner(c - x)
+    return inertia(mi + mj, Ji[1:4] + mj * c, I)
+
+
 BODIES: dict[str, Callable[..., Matrix | Fraction]] = {
-    "inertia_copy": lambda B: B, "inertia_scale": lambda B, a: a * B,
+    "spatial_inertia_copy": lambda B: B, "spatial_inertia_scale": lambda B, a: a * B,
     "add_BB": lambda B1, B2: B1 + B2, "subtract_BB": lambda B1, B2: B1 - B2,
-    "inertia_from_com": from_com,
-    "inertia_com": lambda B: B[1:4] / B[0],
-    "inertia_about_com": lambda B: second_moments(B) + skew(B[1:4]) @ skew(B[1:4]) / B[0],
-    "inertia_matrix": operator,
+    "spatial_inertia_from_com": from_com,
+    "spatial_inertia_com": lambda B: B[1:4] / B[0],
+    "spatial_inertia_about_com": lambda B: second_moments(B) + skew(B[1:4]) @ skew(B[1:4]) / B[0],
+    "spatial_inertia_matrix": operator,
     "product_Bs": lambda B, s: operator(B) @ s,
-    "inertia_energy": lambda B, s: s @ operator(B) @ s / 2,
-    "inertia_shifted": lambda t, B: transformed(
-        np.hstack([np.eye(3, dtype=int), t[:, None]]).astype(object), B),
-    "inertia_transformed": transformed,
+    "spatial_inertia_energy": lambda B, s: s @ operator(B) @ s / 2,
+    "spatial_inertia_shifted": lambda t, B: transformed(_moved(t), B),
+    "spatial_inertia_transformed": transformed,
+    "spatial_inertia_from_inertia": spatial, "inertia_from_spatial_inertia": centroidal,
+    "inertia": lambda m, t, *I: np.array([m, *(m * t), *I], dtype=object),
+    "inertia_copy": lambda J: J, "inertia_merge": merged,
+    **dict.fromkeys(("inertia_rotated", "inertia_rotate"),
+                    lambda J, R: transformed_inertia(J, _turned(R))),
+    **dict.fromkeys(("inertia_translated", "inertia_translate"),
+                    lambda J, t: transformed_inertia(J, _moved(t))),
+    **dict.fromkeys(("inertia_transformed", "inertia_transform"), transformed_inertia),
 }
 """Name → formula, for inertias physical or not."""
 
-POSITIVE_DEFINITE = ("inertia_consistency", *(
+POSITIVE_DEFINITE = ("spatial_inertia_consistency", *(
     f"{kind}_{what}" for kind in ("mat3x3", "mat6x6") for what in ("ldl", "ldl_solve", "solve")))
 """Operations with laws of their own, since they mean something for positive definite matrices."""

@@ -360,7 +360,7 @@ class Sample:
                 "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
                 "mat6x6": lambda: self.vector(36).reshape(6, 6),
                 "mat4x4": lambda: self.vector(16).reshape(4, 4), "vec4": partial(self.vector, 4),
-                "inertia": lambda: self.vector(10)
+                **dict.fromkeys(("inertia", "spatial_inertia"), partial(self.vector, 10)),
                 }.get(kind, lambda: self.vector(6))()
 
 

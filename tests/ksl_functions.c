@@ -58,6 +58,15 @@
     ksl_mat3x3##f##_getAxisAngle(&r, &a, &found[3]);                                               \
     memcpy(found, &a, sizeof a);                                                                   \
   }                                                                                                \
+  int factor_##real(real *J);                                                                      \
+  int factor_##real(real *J) {                                                                     \
+    ksl_inertia##f##_t j;                                                                          \
+    int rank;                                                                                      \
+    memcpy(&j, J, sizeof j);                                                                       \
+    rank = ksl_inertia##f##_factor(&j);                                                            \
+    memcpy(J, &j, sizeof j);                                                                       \
+    return rank;                                                                                   \
+  }                                                                                                \
   int moves_##real(void);                                                                          \
   int moves_##real(void) {                                                                         \
     const ksl_screw##f##_t s = ksl_screw##f(1, 2, 3, 4, 5, 6);                                     \

@@ -3,6 +3,8 @@
    R is no rotation: its entries are all different, to show which goes where, and small integers, so
    that nothing but the divisions by a norm is rounded, in either precision. */
 #include <coscrew.h>
+#include <inertia.h>
+#include <quaternion.h>
 #include <screw.h>
 #include <trig.h>
 #include <stdio.h>
@@ -105,6 +107,86 @@ static void in_double(void) {
   ksl_dc(0.5, x); show("dc", x, 2);
 }
 
+static void turns_in_double(void) {
+  const ksl_quaternion_t p = ksl_quaternion(1, -2, 0.5, 3), q = ksl_quaternion(-4, 0.25, 2, 1);
+  const ksl_quaternion_t third = ksl_quaternion(0.5, 0.5, 0.5, 0.5);
+  const ksl_vec3_t v = ksl_vec3(0.5, -1.5, 2.25);
+  ksl_quaternion_t o, corners[4], *ones = ksl_quaternion_alloc(2);
+  ksl_mat3x3_t R;
+  double x[2], dci[2] = {0.5, -2}, t;
+
+  if (ones == NULL) { exit(1); }
+  o = ones[1];
+  show("quaternion_alloc", o.at, 4);
+  free(ones);
+  x[0] = p.w; x[1] = p.at[2];
+  show("quaternion_members", x, 2);
+  show("quaternion_r", p.r.at, 3);
+  x[0] = ksl_dot_qq(&p, &q); x[1] = 0;
+  show("dot_qq", x, 2);
+  o = q; ksl_axpy_qq(2.5, &p, &o); show("axpy_qq", o.at, 4);
+  o = ksl_quaternion(2, 4, -4, 8); ksl_quaternion_normalize(&o); show("quaternion_normalize", o.at, 4);
+  ksl_quaternion_product_qq(&p, &q, &o); show("product_qq", o.at, 4);
+  ksl_quaternion_product_qconjq(&p, &q, &o); show("product_qconjq", o.at, 4);
+  ksl_quaternion_product_qqconj(&p, &q, &o); show("product_qqconj", o.at, 4);
+  ksl_quaternion_product_qconjqconj(&p, &q, &o); show("product_qconjqconj", o.at, 4);
+  ksl_quaternion_product_qxq(dci, &q, &o); show("product_qxq", o.at, 4);
+  ksl_quaternion_product_qqyconj(&p, dci, &o); show("product_qqyconj", o.at, 4);
+  ksl_quaternion_product_qzconjqconj(dci, &q, &o); show("product_qzconjqconj", o.at, 4);
+  ksl_quaternion_product_qconjqx(&p, dci, &o); show("product_qconjqx", o.at, 4);
+  ksl_quaternion_product_qv(&p, &v, &o); show("product_qv", o.at, 4);
+  ksl_quaternion_product_vqconj(&v, &p, &o); show("product_vqconj", o.at, 4);
+  o = p; ksl_add_dpiToq(&v, &o); show("add_dpiToq", o.at, 4);
+  o = p; ksl_subtract_dpiFromq(&v, &o); show("subtract_dpiFromq", o.at, 4);
+  ksl_omega_to_dquaternion(&v, &third, &o); show("omega_to_dquaternion", o.at, 4);
+  o = third; ksl_quaternion_toMat3x3(&o, &R); show("quaternion_toMat3x3", R.as_array, 9);
+  ksl_mat3x3_toQuaternion(&R, &o); show("mat3x3_toQuaternion", o.at, 4);
+  corners[0] = third; corners[1] = q;
+  ksl_quaternion_product_uqinverseq(&corners[0], &corners[1], &o);
+  show("product_uqinverseq", o.at, 4);
+  t = 0.5;
+  corners[0] = ksl_quaternion(0, 0, 0, 1); corners[1] = ksl_quaternion(0, 0, 1, 0);
+  corners[2] = corners[1]; corners[3] = corners[0];
+  ksl_quaternion_slerp(&corners[0], &corners[1], &t, &o); show("slerp", o.at, 4);
+  ksl_quaternion_nlerp(&corners[0], &corners[1], &t, &o); show("nlerp", o.at, 4);
+  ksl_quaternion_squad(corners, &t, &o); show("squad", o.at, 4);
+}
+
+static void bodies_in_double(void) {
+  const ksl_vec3_t t = ksl_vec3(0.5, -1.5, 2.25), i = ksl_vec3(1, -0.5, 2), j = ksl_vec3(-2, 0.25, 1);
+  const ksl_mat3x3_t R = ksl_mat3x3(1, 2, -3, 4, 5, 6, -7, 8, 9);
+  const ksl_SE3_t D = ksl_SE3(1, 2, -3, 0.5, 4, 5, 6, -1.5, -7, 8, 9, 2.25);
+  const ksl_inertia_t J = ksl_inertia(2, i, 5, 6, 7, 0.5, 0.25, -0.125);
+  const ksl_inertia_t other = ksl_inertia(6, j, 3, 2, 4, -0.5, 0.125, 1);
+  ksl_inertia_t o, *none = ksl_inertia_alloc(2);
+  double x[2];
+
+  if (none == NULL) { exit(1); }
+  o = none[1];
+  show("inertia_alloc", o.at, 10);
+  free(none);
+  show("inertia", J.at, 10);
+  x[0] = J.mass; x[1] = J.mr.z;
+  show("inertia_names", x, 2);
+  x[0] = J.Iyx; x[1] = J.Izy;
+  show("inertia_products", x, 2);
+  x[0] = J.Ixz; x[1] = J.Iyy;
+  show("inertia_moments", x, 2);
+  ksl_inertia_copy(&J, &o); show("inertia_copy", o.at, 10);
+  ksl_inertia_rotated(&J, &R, &o); show("inertia_rotated", o.at, 10);
+  o = J; ksl_inertia_rotate(&o, &R); show("inertia_rotate", o.at, 10);
+  ksl_inertia_translated(&J, &t, &o); show("inertia_translated", o.at, 10);
+  o = J; ksl_inertia_translate(&o, &t); show("inertia_translate", o.at, 10);
+  ksl_inertia_transformed(&J, &D, &o); show("inertia_transformed", o.at, 10);
+  o = J; ksl_inertia_transform(&o, &D); show("inertia_transform", o.at, 10);
+  o = J; ksl_inertia_merge(&o, &i, &other, &j, &D); show("inertia_merge", o.at, 10);
+  o = ksl_inertia(2, i, 4, 9, 16, 0, 0, 0);
+  x[0] = ksl_inertia_factor(&o);
+  o = ksl_inertia(2, i, 0, 9, 9, 0, 0, 0);
+  x[1] = ksl_inertia_factor(&o);
+  show("inertia_factor", x, 2);
+}
+
 static void in_single(void) {
   const ksl_SE3f_t D = ksl_SE3f(1, 2, -3, 0.5f, 4, 5, 6, -1.5f, -7, 8, 9, 2.25f);
   const ksl_SE3f_t turn = ksl_SE3f(0, 0, 1, 3, -1, 0, 0, 4, 0, -1, 0, 5);
@@ -190,8 +272,92 @@ static void in_single(void) {
   ksl_dcf(0.5f, x); showf("dc", x, 2);
 }
 
+static void turns_in_single(void) {
+  const ksl_quaternionf_t p = ksl_quaternionf(1, -2, 0.5f, 3), q = ksl_quaternionf(-4, 0.25f, 2, 1);
+  const ksl_quaternionf_t third = ksl_quaternionf(0.5f, 0.5f, 0.5f, 0.5f);
+  const ksl_vec3f_t v = ksl_vec3f(0.5f, -1.5f, 2.25f);
+  ksl_quaternionf_t o, corners[4], *ones = ksl_quaternionf_alloc(2);
+  ksl_mat3x3f_t R;
+  float x[2], dci[2] = {0.5f, -2}, t;
+
+  if (ones == NULL) { exit(1); }
+  o = ones[1];
+  showf("quaternion_alloc", o.at, 4);
+  free(ones);
+  x[0] = p.w; x[1] = p.at[2];
+  showf("quaternion_members", x, 2);
+  showf("quaternion_r", p.r.at, 3);
+  x[0] = ksl_dot_qqf(&p, &q); x[1] = 0;
+  showf("dot_qq", x, 2);
+  o = q; ksl_axpy_qqf(2.5f, &p, &o); showf("axpy_qq", o.at, 4);
+  o = ksl_quaternionf(2, 4, -4, 8); ksl_quaternionf_normalize(&o); showf("quaternion_normalize", o.at, 4);
+  ksl_product_qqf(&p, &q, &o); showf("product_qq", o.at, 4);
+  ksl_product_qconjqf(&p, &q, &o); showf("product_qconjq", o.at, 4);
+  ksl_product_qqconjf(&p, &q, &o); showf("product_qqconj", o.at, 4);
+  ksl_product_qconjqconjf(&p, &q, &o); showf("product_qconjqconj", o.at, 4);
+  ksl_product_qxqf(dci, &q, &o); showf("product_qxq", o.at, 4);
+  ksl_product_qqyconjf(&p, dci, &o); showf("product_qqyconj", o.at, 4);
+  ksl_product_qzconjqconjf(dci, &q, &o); showf("product_qzconjqconj", o.at, 4);
+  ksl_product_qconjqxf(&p, dci, &o); showf("product_qconjqx", o.at, 4);
+  ksl_product_qvf(&p, &v, &o); showf("product_qv", o.at, 4);
+  ksl_product_vqconjf(&v, &p, &o); showf("product_vqconj", o.at, 4);
+  o = p; ksl_add_dpiToqf(&v, &o); showf("add_dpiToq", o.at, 4);
+  o = p; ksl_subtract_dpiFromqf(&v, &o); showf("subtract_dpiFromq", o.at, 4);
+  ksl_omega_to_dquaternionf(&v, &third, &o); showf("omega_to_dquaternion", o.at, 4);
+  o = third; ksl_quaternionf_toMat3x3f(&o, &R); showf("quaternion_toMat3x3", R.as_array, 9);
+  ksl_mat3x3f_toQuaternion(&R, &o); showf("mat3x3_toQuaternion", o.at, 4);
+  corners[0] = third; corners[1] = q;
+  ksl_product_uqinverseqf(&corners[0], &corners[1], &o);
+  showf("product_uqinverseq", o.at, 4);
+  t = 0.5f;
+  corners[0] = ksl_quaternionf(0, 0, 0, 1); corners[1] = ksl_quaternionf(0, 0, 1, 0);
+  corners[2] = corners[1]; corners[3] = corners[0];
+  ksl_slerpf(&corners[0], &corners[1], &t, &o); showf("slerp", o.at, 4);
+  ksl_nlerpf(&corners[0], &corners[1], &t, &o); showf("nlerp", o.at, 4);
+  ksl_squadf(corners, &t, &o); showf("squad", o.at, 4);
+}
+
+static void bodies_in_single(void) {
+  const ksl_vec3f_t t = ksl_vec3f(0.5f, -1.5f, 2.25f), i = ksl_vec3f(1, -0.5f, 2), j = ksl_vec3f(-2, 0.25f, 1);
+  const ksl_mat3x3f_t R = ksl_mat3x3f(1, 2, -3, 4, 5, 6, -7, 8, 9);
+  const ksl_SE3f_t D = ksl_SE3f(1, 2, -3, 0.5f, 4, 5, 6, -1.5f, -7, 8, 9, 2.25f);
+  const ksl_inertiaf_t J = ksl_inertiaf(2, i, 5, 6, 7, 0.5f, 0.25f, -0.125f);
+  const ksl_inertiaf_t other = ksl_inertiaf(6, j, 3, 2, 4, -0.5f, 0.125f, 1);
+  ksl_inertiaf_t o, *none = ksl_inertiaf_alloc(2);
+  float x[2];
+
+  if (none == NULL) { exit(1); }
+  o = none[1];
+  showf("inertia_alloc", o.at, 10);
+  free(none);
+  showf("inertia", J.at, 10);
+  x[0] = J.mass; x[1] = J.mr.z;
+  showf("inertia_names", x, 2);
+  x[0] = J.Iyx; x[1] = J.Izy;
+  showf("inertia_products", x, 2);
+  x[0] = J.Ixz; x[1] = J.Iyy;
+  showf("inertia_moments", x, 2);
+  ksl_inertiaf_copy(&J, &o); showf("inertia_copy", o.at, 10);
+  ksl_inertiaf_rotated(&J, &R, &o); showf("inertia_rotated", o.at, 10);
+  o = J; ksl_inertiaf_rotate(&o, &R); showf("inertia_rotate", o.at, 10);
+  ksl_inertiaf_translated(&J, &t, &o); showf("inertia_translated", o.at, 10);
+  o = J; ksl_inertiaf_translate(&o, &t); showf("inertia_translate", o.at, 10);
+  ksl_inertiaf_transformed(&J, &D, &o); showf("inertia_transformed", o.at, 10);
+  o = J; ksl_inertiaf_transform(&o, &D); showf("inertia_transform", o.at, 10);
+  o = J; ksl_inertiaf_merge(&o, &i, &other, &j, &D); showf("inertia_merge", o.at, 10);
+  o = ksl_inertiaf(2, i, 4, 9, 16, 0, 0, 0);
+  x[0] = (float)ksl_inertiaf_factor(&o);
+  o = ksl_inertiaf(2, i, 0, 9, 9, 0, 0, 0);
+  x[1] = (float)ksl_inertiaf_factor(&o);
+  showf("inertia_factor", x, 2);
+}
+
 int main(void) {
   in_double();
+  turns_in_double();
+  bodies_in_double();
   in_single();
+  turns_in_single();
+  bodies_in_single();
   return 0;
 }

@@ -45,50 +45,50 @@ def positive_definite(sample: Sample, n: int) -> Matrix:
 
 
 def test_kinetic_energy_does_not_depend_on_the_frame(k, sample):
-    D, B, s = sample.displacement(), sample.of("inertia"), sample.vector(6)
-    there = k.inertia_energy(k.inertia_transformed(D, B), k.product_Ads(D, s))
-    assert there == k.inertia_energy(B, s)
+    D, B, s = sample.displacement(), sample.of("spatial_inertia"), sample.vector(6)
+    there = k.spatial_inertia_energy(k.spatial_inertia_transformed(D, B), k.product_Ads(D, s))
+    assert there == k.spatial_inertia_energy(B, s)
 
 
 def test_momentum_moves_as_a_coscrew(k, sample):
-    D, B, s = sample.displacement(), sample.of("inertia"), sample.vector(6)
-    there = k.product_Bs(k.inertia_transformed(D, B), k.product_Ads(D, s))
+    D, B, s = sample.displacement(), sample.of("spatial_inertia"), sample.vector(6)
+    there = k.product_Bs(k.spatial_inertia_transformed(D, B), k.product_Ads(D, s))
     assert (there == k.product_CoAdc(D, k.product_Bs(B, s))).all()
 
 
 def test_transforms_of_inertias_compose(k, sample):
-    D1, D2, B = sample.displacement(), sample.displacement(), sample.of("inertia")
-    both = k.inertia_transformed(k.product_dd(D1, D2), B)
-    assert (both == k.inertia_transformed(D1, k.inertia_transformed(D2, B))).all()
-    back = k.inertia_transformed(k.SE3_inverted(D1), k.inertia_transformed(D1, B))
+    D1, D2, B = sample.displacement(), sample.displacement(), sample.of("spatial_inertia")
+    both = k.spatial_inertia_transformed(k.product_dd(D1, D2), B)
+    assert (both == k.spatial_inertia_transformed(D1, k.spatial_inertia_transformed(D2, B))).all()
+    back = k.spatial_inertia_transformed(k.SE3_inverted(D1), k.spatial_inertia_transformed(D1, B))
     assert (back == B).all()
 
 
 def test_momentum_of_joined_bodies_adds_up(k, sample):
-    B1, B2, s = sample.of("inertia"), sample.of("inertia"), sample.vector(6)
+    B1, B2, s = sample.of("spatial_inertia"), sample.of("inertia"), sample.vector(6)
     joined = k.product_Bs(k.add_BB(B1, B2), s)
     assert (joined == k.product_Bs(B1, s) + k.product_Bs(B2, s)).all()
 
 
 def test_centre_of_mass_and_moments_about_it_make_the_inertia(k, sample):
     B = physical(sample)
-    made = k.inertia_from_com(B[0], k.inertia_com(B), k.inertia_about_com(B))
+    made = k.spatial_inertia_from_com(B[0], k.spatial_inertia_com(B), k.spatial_inertia_about_com(B))
     assert (made == B).all()
 
 
 def test_a_point_mass_has_its_textbook_moments(k, sample):
     m, r = abs(sample.scalar()), sample.vector()
-    B = k.inertia_from_com(m, r, array([[Fraction(0)] * 3] * 3))
+    B = k.spatial_inertia_from_com(m, r, array([[Fraction(0)] * 3] * 3))
     assert (second_moments(B) == m * ((r @ r) * eye(3) - np.outer(r, r))).all()
 
 
 def test_consistency_is_the_smallest_pivot_of_the_pseudo_inertia(k, sample):
     J = pseudo_inertia(physical(sample))
     wanted = min(d / J[i, i] for i, d in enumerate(pivots(J)))
-    assert k.inertia_consistency(physical(Sample(sample.scalar().numerator))) > 0
+    assert k.spatial_inertia_consistency(physical(Sample(sample.scalar().numerator))) > 0
     B = physical(Sample(5))
     J = pseudo_inertia(B)
-    assert k.inertia_consistency(B) == min(d / J[i, i] for i, d in enumerate(pivots(J)))
+    assert k.spatial_inertia_consistency(B) == min(d / J[i, i] for i, d in enumerate(pivots(J)))
     assert wanted > 0
 
 
@@ -98,12 +98,12 @@ def test_consistency_is_the_smallest_pivot_of_the_pseudo_inertia(k, sample):
     lambda B: B + array([0] * 6 + [10**6] + [0] * 3),  # zz > xx + yy: no triangle
 ])
 def test_an_impossible_inertia_is_not_consistent(k, spoil):
-    assert k.inertia_consistency(spoil(physical(Sample(1)))) <= 0
+    assert k.spatial_inertia_consistency(spoil(physical(Sample(1)))) <= 0
 
 
 def test_a_plate_is_on_the_edge_of_consistency(k):
     plate = array([Fraction(x) for x in (1, 0, 0, 0, 1, 2, 3, 0, 0, 0)])  # zz = xx + yy
-    assert k.inertia_consistency(plate) == 0
+    assert k.spatial_inertia_consistency(plate) == 0
 
 
 # symmetric matrices

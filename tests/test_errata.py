@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from tests import exact
+from tests import bodies, exact
 from tests.c_reader import Place, Record, functions_in, header
 from tests.exact import JOINTS, Exact, Sample, eye, keeping, skew, zeros
 
@@ -167,3 +167,43 @@ def test_inverses_of_matrices_without_a_leading_entry_and_of_small_ones():
     assert determinant == 1 and (inverse == turned.T).all()
     determinant, inverse = coscrew.double.mat3x3_inverse(np.eye(3) * 2.0**-50)
     assert determinant == 2.0**-150 and (inverse == np.eye(3) * 2.0**50).all()
+
+
+def test_inertias_that_are_moved(sample):
+    """KSL's inertia_translated and inertia_transformed add Steiner's term to members that are about
+    the centre of mass: what it moves there and back gains m c² each time, c from the origin."""
+    D, J = sample.displacement(), sample.of("inertia")
+
+    def of_ksl(J, D):
+        R, t = exact.R_t(D)
+        mt = R @ J[1:4] + J[0] * t
+        I = R @ bodies.moments(J) @ R.T + J[0] * bodies.steiner(mt / J[0])
+        return bodies.inertia(J[0], mt, I)
+
+    moved, back = kernels.inertia_transformed(J, D), kernels.SE3_inverted(D)
+    assert (kernels.inertia_transformed(moved, back) == J).all()
+    assert (of_ksl(of_ksl(J, D), back) != J).any()
+    assert (of_ksl(J, D)[:4] == moved[:4]).all() and (of_ksl(J, D)[4:] != moved[4:]).any()
+    about_the_origin = kernels.spatial_inertia_from_inertia(moved)  # is where to ask for KSL's
+    assert (bodies.moments(of_ksl(J, D)) == bodies.second_moments(about_the_origin)).all()
+
+
+def test_inertias_that_are_merged(sample):
+    """KSL's inertia_merge moves by its inertia_translated, whose term is of the centre of mass plus
+    the way, not of the way between the centres, and is added to what its output held."""
+    D, Ji, Jj = sample.displacement(), sample.of("inertia"), sample.of("inertia")
+    ci, cj = (J[1:4] / J[0] for J in (Ji, Jj))
+    merged = kernels.inertia_merge(Ji, ci, Jj, cj, D)
+    R, t = exact.R_t(D)
+    c = merged[1:4] / merged[0]
+
+    def of_ksl(J, I, way):
+        return I + J[0] * bodies.steiner(J[1:4] / J[0] + way)
+
+    added = (of_ksl(Ji, bodies.moments(Ji), c - ci)  # to outputs that held the inputs
+             + of_ksl(kernels.inertia_rotated(Jj, R), R @ bodies.moments(Jj) @ R.T,
+                      c - R @ cj - t))
+    assert (bodies.moments(merged) != added).any()
+    both = kernels.add_BB(*map(kernels.spatial_inertia_from_inertia,
+                               (Ji, kernels.inertia_transformed(Jj, D))))
+    assert (kernels.inertia_from_spatial_inertia(both) == merged).all()

@@ -83,6 +83,74 @@ EXPECTED = {
     "product_ddinv": _columns(R @ TURN.T, t - R @ TURN.T @ STEP),
 }
 
+# Quaternions (x, y, z, w), and inertias about the centre of mass.
+
+p, q, turn = exact(1, -2, "1/2", 3), exact(-4, "1/4", 2, 1), exact("1/2", -2)
+third, K = exact(*["1/2"] * 4), exact([0, 0, 1], [1, 0, 0], [0, 1, 0])  # of a turn about (1, 1, 1)
+
+
+def conjugate(q: np.ndarray) -> np.ndarray:
+    return np.array([*-q[:3], q[3]])
+
+
+def times(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """(p_w q_v + q_w p_v + p_v × q_v; p_w q_w - p_v·q_v)."""
+    return np.array([*(p[3] * q[:3] + q[3] * p[:3] + np.cross(p[:3], q[:3])),
+                     p[3] * q[3] - p[:3] @ q[:3]])
+
+
+def about(axis: int) -> np.ndarray:
+    """The turn of this sine and cosine of half the angle."""
+    return np.array([*(turn[0] * I[axis]), turn[1]])
+
+
+def pure(v: np.ndarray) -> np.ndarray:
+    return np.array([*v, Fraction(0)])
+
+
+ci, cj, mi, mj = exact(1, "-1/2", 2), exact(-2, "1/4", 1), Fraction(2), Fraction(6)
+Ii = exact([5, "1/2", "-1/8"], ["1/2", 6, "1/4"], ["-1/8", "1/4", 7])
+Ij = exact([3, "-1/2", 1], ["-1/2", 2, "1/8"], [1, "1/8", 4])
+there = R @ cj + t  # the second centre of mass, moved
+middle = (mi * ci + mj * there) / (mi + mj)
+
+
+def ten(m: Fraction, c: np.ndarray, moments: np.ndarray) -> np.ndarray:
+    return np.array([m, *(m * c), *(moments[i, j] for i, j in (
+        (0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)))])
+
+
+def steiner(m: Fraction, x: np.ndarray) -> np.ndarray:
+    return -m * skew(x) @ skew(x)
+
+
+EXPECTED |= {
+    "quaternion_alloc": (0, 0, 0, 1), "quaternion_members": (p[3], p[2]), "quaternion_r": p[:3],
+    "dot_qq": (p @ q, 0), "axpy_qq": a * p + q, "quaternion_normalize": exact(2, 4, -4, 8) / 10,
+    "product_qq": times(p, q), "product_qconjq": times(conjugate(p), q),
+    "product_qqconj": times(p, conjugate(q)),
+    "product_qconjqconj": times(conjugate(p), conjugate(q)),
+    "product_qxq": times(about(0), q), "product_qqyconj": times(p, conjugate(about(1))),
+    "product_qzconjqconj": times(conjugate(about(2)), conjugate(q)),
+    "product_qconjqx": times(conjugate(p), about(0)),
+    "product_qv": times(p, pure(t)), "product_vqconj": times(pure(t), conjugate(p)),
+    "add_dpiToq": p + times(p, pure(t)) / 2, "subtract_dpiFromq": p - times(p, pure(t)) / 2,
+    "omega_to_dquaternion": times(pure(t), third) / 2,
+    "quaternion_toMat3x3": K.T.ravel(), "mat3x3_toQuaternion": third,
+    "product_uqinverseq": times(conjugate(third), q),
+    "inertia_alloc": [0] * 10, "inertia": ten(mi, ci, Ii), "inertia_copy": ten(mi, ci, Ii),
+    "inertia_names": (mi, mi * ci[2]), "inertia_products": (Ii[1, 0], Ii[2, 1]),
+    "inertia_moments": (Ii[0, 2], Ii[1, 1]),
+    **dict.fromkeys(("inertia_rotated", "inertia_rotate"), ten(mi, R @ ci, R @ Ii @ R.T)),
+    **dict.fromkeys(("inertia_translated", "inertia_translate"), ten(mi, ci + t, Ii)),
+    **dict.fromkeys(("inertia_transformed", "inertia_transform"),
+                    ten(mi, R @ ci + t, R @ Ii @ R.T)),
+    "inertia_merge": ten(mi + mj, middle, Ii + R @ Ij @ R.T + steiner(mi, ci - middle)
+                         + steiner(mj, there - middle)),
+    "inertia_factor": (3, 2),
+}
+HALFWAY = ("slerp", "nlerp", "squad")  # a quarter turn about z, the middle of half of one
+
 
 def _rounded(number: Fraction | int, precision: Precision) -> float:
     """The number of this precision nearest to `number`."""
@@ -119,10 +187,22 @@ def test_program_prints_sine_and_cosine_within_1_ulp(
             assert abs(float.fromhex(text) - truth) <= float(np.spacing(number(truth))), text
 
 
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@pytest.mark.parametrize("what", HALFWAY)
+def test_program_prints_quarter_turns(what: str, precision: Precision,
+                                      printed: dict[tuple[str, str], list[str]]):
+    """(0, 0, 1, 1) / sqrt 2 within 4 u."""
+    with mpmath.workdps(50):
+        wanted = [0, 0, mpmath.sqrt(0.5), mpmath.sqrt(0.5)]
+        for text, truth in zip(printed[precision.name, what], wanted, strict=True):
+            error = abs(float.fromhex(text) - truth)
+            assert error <= 4 * mpmath.mpf(2)**-BITS[precision.name] * truth, text
+
+
 def test_program_uses_the_whole_page():
     called = set(re.findall(r"\b(ksl_\w+)\(", PROGRAM.read_text(encoding="utf-8")))
     assert set(PAGE) <= called
 
 
 def test_everything_printed_is_expected(printed: dict[tuple[str, str], list[str]]):
-    assert {what for _, what in printed} == {*EXPECTED, "dc"}
+    assert {what for _, what in printed} == {*EXPECTED, *HALFWAY, "dc"}

@@ -16,8 +16,6 @@ from tests.ksl_interface import Prototype, prototypes
 HEADERS = tuple(dict.fromkeys(p.header for p in prototypes()))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
-INCOMPLETE = ("inertia.h",)  # headers that miss names of KSL's
-
 # Pairs that these read only are pairs of const here: callers need not know.
 TO_CONST = ("ksl_quaternion_product_q", "ksl_product_q")
 
@@ -34,7 +32,7 @@ def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
 
 
 @compilers
-@pytest.mark.parametrize("header", [h for h in HEADERS if h not in INCOMPLETE])
+@pytest.mark.parametrize("header", HEADERS)
 def test_prototypes_are_ksls(header, compiler, tmp_path):
     """Each header alone has what KSL's has."""
     wanted = tuple(p for p in prototypes() if p.header == header)

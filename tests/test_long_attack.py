@@ -108,5 +108,5 @@ def test_linear_in_one_input():
         p, q = linear(plain_program(operation), 0, place, given)
         assert np.allclose((p + q * given[:, place]).astype(float),
                            np.linalg.det(given.reshape(5, 3, 3)), atol=1e-9)
-    energy = BY_NAME["inertia_energy"]
+    energy = BY_NAME["spatial_inertia_energy"]
     assert np.isnan(linear(plain_program(energy), 0, 10, np.ones((2, 16)))[1]).all()

@@ -39,7 +39,7 @@ Row = tuple[list[mp.mpf], ...]  # components of every input
 Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
 
 # The last row of L times its pivot enters only squared, so that its sign is free there.
-SIGNED = tuple(op for op in NUMERIC if op.name != "inertia_consistency")
+SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
 
 # grid ± θ leave ±θ in few digits, which enters only squared; sums of sizes are thresholds.
 FREE = ("theta_shifted", "permanent")

@@ -122,4 +122,4 @@ def test_comments_state_them(kind, n):
         assert f"<= {BACKWARD} u Σ_j sqrt(a_ii a_jj)" in stated[f"{kind}_{name}"]
         documented = " ".join(getattr(coscrew, f"{kind}_{name}").__doc__.split())
         assert stated[f"{kind}_{name}"] in documented
-    assert stated["inertia_com"] == "Error <= u |result|, barring over- and underflow."
+    assert stated["spatial_inertia_com"] == "Error <= u |result|, barring over- and underflow."

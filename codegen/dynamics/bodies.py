@@ -57,9 +57,9 @@ def lumped(recorder: Recorder, seats: Sequence[Seat]) -> Rigid:
 def _seated(recorder: Recorder, seat: Seat, inertia: Inertia) -> tuple[Number, ...]:
     number, numbers, call = recorder.number, recorder.numbers, recorder.call
     about_com = symmetric(numbers(inertia.moments))
-    own = call("inertia_from_com", number(inertia.mass), numbers(inertia.com), about_com)
+    own = call("spatial_inertia_from_com", number(inertia.mass), numbers(inertia.com), about_com)
     R, t = numbers(seat.placement.R), numbers(seat.placement.t)
-    return call("inertia_transformed", row_by_row(R, t), own)
+    return call("spatial_inertia_transformed", row_by_row(R, t), own)
 
 
 def net_force(body: Rigid, curl: Sequence[Number], acceleration: Vector) -> tuple[Vector, Vector]:

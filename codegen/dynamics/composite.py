@@ -21,7 +21,7 @@ def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
         if link.parent >= 0:
             with motion.recorder.part(f"{motion.names[number]}_moved", link.name):
                 R, t = motion.frame(number)
-                moved = motion.recorder.call("inertia_transformed", row_by_row(R, t),
+                moved = motion.recorder.call("spatial_inertia_transformed", row_by_row(R, t),
                                              found[number].numbers)
                 total = add(found[link.parent].numbers, moved)
                 found[link.parent] = Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))

@@ -115,5 +115,5 @@ def corrected(x: Recording) -> list[Number]:
 
 def _about_com(whole: _Whole):
     """The moments of inertia about the centre of mass, factored."""
-    nine = whole.rigid.m.recorder.call("inertia_about_com", whole.rigid.numbers)
+    nine = whole.rigid.m.recorder.call("spatial_inertia_about_com", whole.rigid.numbers)
     return factored([nine[3 * i:3 * i + 3] for i in range(3)])

@@ -205,5 +205,5 @@ def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
     total = add(body.numbers, mass.recorder.call(
-        "inertia_from_com", mass, point, [zero] * 9))
+        "spatial_inertia_from_com", mass, point, [zero] * 9))
     return Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))

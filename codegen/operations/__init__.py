@@ -1,12 +1,13 @@
 """The table of operations, family by family.  Everything else iterates over it."""
 
 from coscrew_codegen.operations import (SE3, coscrew, exponential, inertia, mat3x3, mat4x4, mat6x6,
-                                        matrix, quaternion, screw, symmetric, trig, vec3, vec4)
+                                        matrix, quaternion, screw, spatial_inertia, symmetric, trig,
+                                        vec3, vec4)
 from coscrew_codegen.operations.operation import (NORM_THRESHOLD, PER_PRECISION, Operation,
                                                   components, scaled)
 
 _MODULES = (vec3, vec4, mat3x3, SE3, mat4x4, mat6x6, matrix, trig, screw, coscrew, quaternion,
-            exponential, symmetric, inertia)
+            exponential, symmetric, inertia, spatial_inertia)
 
 FAMILIES: tuple[str, ...] = tuple(module.FAMILY for module in _MODULES)
 OPERATIONS: tuple[Operation, ...] = tuple(op for module in _MODULES for op in module.OPERATIONS)

@@ -218,7 +218,7 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (Normwise("R", 6, per_angle=200), Normwise("t", 8, ("s.lin",), 200))),
+        (Normwise("R", 6, per_angle=200), Normwise("t", 14, ("s.lin",), 200))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
         _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
@@ -231,7 +231,7 @@ _DISPLACEMENTS = (
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (Normwise("R", 16), Normwise("t", 30, ("D1.t", "D2.t")))),
+        (Normwise("R", 20), Normwise("t", 45, ("D1.t", "D2.t")))),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

@@ -1,152 +1,118 @@
-"""Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+"""Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
 
-In these ten numbers an inertia is linear: inertias of joined bodies add up, momentum is their
-product with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to coscrews (momenta).
+The ten numbers and the names are KSL's.  Moments are those about the centre of mass, along the axes
+of the frame: moving a body changes its first moment mt alone.  Joined bodies do not add up in these
+numbers; in those of spatial inertias they do.
 """
+
+from functools import partial
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (I3, ang, blocks, lin, rotation, skew, stack, translation)
+from coscrew_codegen.algebra import rotation, translation
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.operations.special import smallest_pivot
-from coscrew_codegen.operations.symmetric import (bound_smallest_pivot, factored,
-                                                  lower_triangle)
-from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, SCALAR, SCREW, SE3, VEC3,
-                                      Argument)
+from coscrew_codegen.quantity import INERTIA, MAT3X3, SCALAR, SE3, VEC3, Argument
 
 FAMILY = "inertia"
 
-_B, _Bo, _m = Argument("B", INERTIA), Argument("Bo", INERTIA), Argument("m", SCALAR)
-_com, _Ic, _t = Argument("com", VEC3), Argument("Ic", MAT3X3), Argument("t", VEC3)
-_D, _s, _co = Argument("D", SE3), Argument("s", SCREW), Argument("co", COSCREW)
-_energy, _pivot = Argument("energy", SCALAR), Argument("pivot", SCALAR)
-_vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT6X6)
+_Ji, _Jo, _self = (Argument(name, INERTIA) for name in ("Ji", "Jo", "self"))
+_Jj, _J = Argument("Jj", INERTIA), Argument("J", INERTIA)
+_t, _t_ic, _t_jc = (Argument(name, VEC3) for name in ("t", "t_ic", "t_jc"))
+_m, _R, _D, _D_ij = Argument("m", SCALAR), Argument("R", MAT3X3), Argument("D", SE3), Argument("D_ij", SE3)
+_NUMBERS = tuple(Argument(name, SCALAR) for name in ("Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))
 
-_UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+"""Of the six moments, in their order."""
+
+MERGED = 18
+"""In u: what a component of joined bodies is off by at most, counted along its roundings."""
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
+def _op(name, statement, inputs, outputs, formula, derivation=None, by_value=False, rounding=""):
     return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
-                     rounding=rounding)
+                     by_value=by_value, rounding=rounding)
 
 
-def _first(B: sp.Matrix) -> sp.Matrix:
-    return B[1:4, :]
+def first(J: sp.Matrix) -> sp.Matrix:
+    """mt."""
+    return J[1:4, :]
 
 
-def _second(B: sp.Matrix) -> sp.Matrix:
-    xx, yy, zz, xy, xz, yz = B[4:, :]
-    return sp.Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+def second(J: sp.Matrix) -> sp.Matrix:
+    """The moments as a matrix."""
+    xx, yy, zz, xy, yz, zx = J[4:, :]
+    return sp.Matrix([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 
 
-def _inertia(m: sp.Expr, h: sp.Matrix, second: sp.Matrix) -> sp.Matrix:
-    return sp.Matrix([m, *h, *(second[i, j] for i, j in _UPPER)])
+def inertia(m: sp.Expr, mt: sp.Matrix, moments: sp.Matrix) -> sp.Matrix:
+    """The ten numbers."""
+    return sp.Matrix([m, *mt, *(moments[i, j] for i, j in PLACES)])
 
 
-def _operator(B: sp.Matrix) -> sp.Matrix:
-    """[[m 1, -h~], [h~, I]]."""
-    return blocks(B[0] * I3, -skew(_first(B)), skew(_first(B)), _second(B))
-
-
-def _momentum(B: sp.Matrix, s: sp.Matrix) -> sp.Matrix:
-    """(m v - h × ω; h × v + I ω)."""
-    h = _first(B)
-    return stack(B[0] * lin(s) - h.cross(ang(s)), h.cross(lin(s)) + _second(B) * ang(s))
-
-
-def _energy_of(let: Let, B: sp.Matrix, s: sp.Matrix) -> sp.Expr:
-    """(v·(m v + 2 ω × h) + ω·I ω) / 2: what m v and h share is computed once."""
-    v, w = lin(s), ang(s)
-    twice = let("twice_across", 2 * let("across", w.cross(_first(B))))
-    p, L = let("p", B[0] * v + twice), let("L", _second(B) * w)
-    return let("twice", v.dot(p) + w.dot(L)) / 2
-
-
-def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
-    """h = m c, I = Ic - m c~ c~; of Ic the upper triangle."""
-    h = let("h", m * com)
-    squares = let("squares", sp.Matrix([h[i] * com[i] for i in range(3)]))
+def of_point(let: Let, p: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
+    """x·p 1 - x p^T, the moments of a point mass at x, p = m x."""
+    squares = let("squares", sp.Matrix([p[i] * x[i] for i in range(3)]))
     own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
-    second = [*own, -h[0] * com[1], -h[0] * com[2], -h[1] * com[2]]
-    return sp.Matrix([m, *h, *(Ic[i, j] + x for (i, j), x in zip(_UPPER, second, strict=True))])
+    xy, yz, zx = (-p[i] * x[j] for i, j in PLACES[3:])
+    return sp.Matrix([[own[0], xy, zx], [xy, own[1], yz], [zx, yz, own[2]]])
 
 
-def _shifted(let: Let, t: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
-    """h + m t, I - t~ (h + m t)~ - h~ t~ = I - t~ n~ - n~ t~ with n = h + m t/2."""
-    m, h = B[0], _first(B)
-    mt = let("mt", m * t)
-    n = let("n", h + let("half", mt / 2))
-    own = let("own", sp.Matrix([2 * let(f"tn{i}", t[i] * n[i]) for i in range(3)]))
-    pairs = let("pairs", sp.Matrix([own[1] + own[2], own[0] + own[2], own[0] + own[1],
-                                    *(t[i] * n[j] + n[i] * t[j] for i, j in _UPPER[3:])]))
-    second = [x + y if i < 3 else x - y
-              for i, (x, y) in enumerate(zip(B[4:, :], pairs, strict=True))]
-    return sp.Matrix([m, *let("moved", h + mt), *second])
+def _made(m: sp.Expr, t: sp.Matrix, *moments: sp.Expr) -> sp.Matrix:
+    return sp.Matrix([m, *(m * t), *moments])
 
 
-def _turned(let: Let, R: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
-    """m, R h, R I R^T."""
-    half = let("RI", R * _second(B))
-    return let("turned", _inertia(B[0], R * _first(B), half * R.T))
+def _rotated(let: Let, J: sp.Matrix, R: sp.Matrix) -> sp.Matrix:
+    """m, R mt, R I R^T."""
+    return inertia(J[0], R * first(J), let("RI", R * second(J)) * R.T)
 
 
-def _transformed(let: Let, D: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
-    return _shifted(let, translation(D), _turned(let, rotation(D), B))
+def _translated(J: sp.Matrix, t: sp.Matrix) -> sp.Matrix:
+    return inertia(J[0], first(J) + J[0] * t, second(J))
 
 
-def _about_com(let: Let, B: sp.Matrix) -> sp.Matrix:
-    """I + h~ h~ / m."""
-    h, c = _first(B), let("c", _first(B) / B[0])
-    squares = let("squares", sp.Matrix([h[i] * c[i] for i in range(3)]))
-    own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
-    second = [*own, *(-h[i] * c[j] for i, j in _UPPER[3:])]
-    xx, yy, zz, xy, xz, yz = let("about", sp.Matrix(
-        [x - y for x, y in zip(B[4:, :], second, strict=True)]))
-    return sp.Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+def _transformed(let: Let, J: sp.Matrix, D: sp.Matrix) -> sp.Matrix:
+    return _translated(_rotated(let, J, rotation(D)), translation(D))
 
 
-def _pseudo_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
-    """[[m, h^T], [h, tr(I)/2 1 - I]]: ∫ (1; x) (1; x)^T dm."""
-    second = _second(B)
-    trace = let("trace", (second[0, 0] + second[1, 1] + second[2, 2]) / 2)
-    Sigma = let("sigma", sp.Matrix([trace - second[0, 0], trace - second[1, 1],
-                                    trace - second[2, 2]]))
-    x, y, z = Sigma
-    xy, xz, yz = -second[0, 1], -second[0, 2], -second[1, 2]
-    h = _first(B)
-    return sp.Matrix([[B[0], h[0], h[1], h[2]], [h[0], x, xy, xz], [h[1], xy, y, yz],
-                      [h[2], xz, yz, z]])
+def _merged(let: Let, Ji: sp.Matrix, t_ic: sp.Matrix, Jj: sp.Matrix, t_jc: sp.Matrix,
+            D: sp.Matrix) -> sp.Matrix:
+    """m = m_i + m_j, mt = mt_i + m_j c, I = I_i + R I_j R^T + μ (d·d 1 - d d^T): c is the second
+    centre of mass, d the way to it from the first, and μ = m_i m_j / m."""
+    R, m = rotation(D), let("m", Ji[0] + Jj[0])
+    c = let("c", R * t_jc + translation(D))
+    d = let("d", c - t_ic)
+    reduced = let("reduced", Ji[0] * let("part", Jj[0] / m))
+    apart = of_point(let, let("p", reduced * d), d)
+    turned = let("RI", R * second(Jj)) * R.T
+    return inertia(m, first(Ji) + Jj[0] * c, second(Ji) + turned + apart)
 
 
-def _consistency(let: Let, B: sp.Matrix) -> sp.Expr:
-    pseudo = _pseudo_inertia(let, B)
-    return bound_smallest_pivot(let, pseudo, factored(let, pseudo)[1])
+def _in_place_too(verb: str, statement: str, by: Argument, formula, derivation=None):
+    """inertia_rotated(Ji, R, Jo) and inertia_rotate(self, R)."""
+    past = f"{verb}{'d' if verb.endswith('e') else 'ed'}"
+    return (_op(f"inertia_{past}", f"Jo = {statement.format('Ji')}", (_Ji, by), (_Jo,), formula,
+                derivation),
+            _op(f"inertia_{verb}", f"self = {statement.format('self')}", (_self, by), (_self,),
+                formula, derivation))
 
 
 OPERATIONS = (
-    *(op for op in linear_space(FAMILY, INERTIA, "B")
-      if op.name in ("inertia_copy", "inertia_scale", "add_BB", "subtract_BB")),
-    _op("inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; "
-        "of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
-        (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
-    _op("inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
-        lambda B: _first(B) / B[0],
-        rounding="Error <= u |result|, barring over- and underflow."),
-    _op("inertia_about_com", "Ro = I + h~ h~ / m, the second moments about the centre of mass",
-        (_B,), (_Ro,), lambda B: _second(B) + skew(_first(B))**2 / B[0], _about_com),
-    _op("inertia_matrix", "Mo = [[m 1, -h~], [h~, I]]", (_B,), (_Mo,), _operator),
-    _op("product_Bs", "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves "
-        "with s", (_B, _s), (_co,), _momentum),
-    _op("inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
-        (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
-    _op("inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~", (_t, _B),
-        (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
-    _op("inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its "
-        "own to", (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
-    _op("inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a "
-        "part of its diagonal entry: positive exactly if a body of positive density has this "
-        "inertia", (_B,), (_pivot,),
-        lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
+    _op("inertia", "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries "
+        "of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm", (_m, _t, *_NUMBERS), (_J,),
+        _made, by_value=True),
+    *(op for op in linear_space(FAMILY, INERTIA, "J") if op.name == "inertia_copy"),
+    *_in_place_too("rotate", "{} turned by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
+                   _rotated),
+    *_in_place_too("translate", "{} moved by t: m, mt + m t, I", _t, _translated),
+    *_in_place_too("transform", "{} moved by D = [R | t]: m, R mt + m t, R I R^T", _D,
+                   partial(_transformed, unnamed), _transformed),
+    _op("inertia_merge", "Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: "
+        "m_i + m_j, mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with "
+        "c = R t_jc + t, d = c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, "
+        "each in its own frame; NaN where m_i + m_j = 0",
+        (_Ji, _t_ic, _Jj, _t_jc, _D_ij), (_Ji,), partial(_merged, unnamed), _merged,
+        rounding=f"Error <= {MERGED} u times the sum of the sizes of all terms, for masses that are "
+        "not negative, barring over- and underflow."),
 )

@@ -12,7 +12,8 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.targets.c import STRUCTS, c_name, c_type, member, parameters, returned
+from coscrew_codegen.targets.c import (STRUCTS, c_name, c_type, is_pointer, member,
+                                       parameters, returned)
 from coscrew_codegen.targets.precision import Precision
 
 _CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
@@ -163,8 +164,7 @@ def _call(variant: Variant, values: dict[str, str]) -> str:
     operation, value = variant.operation, returned(variant.operation)
 
     def passed(a: Argument) -> str:
-        pointer = a.quantity.name in STRUCTS or not a.quantity.shape and a in operation.outputs
-        return f"&{values[a.name]}" if pointer and not operation.by_value else values[a.name]
+        return f"&{values[a.name]}" if is_pointer(operation, a) else values[a.name]
 
     result = f"{values[value.name]} = " if value else ""
     return f"{result}ksl_{variant.name}({', '.join(map(passed, parameters(operation)))});"

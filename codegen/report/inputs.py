@@ -155,7 +155,16 @@ def _positive_definite(numbers: Generator, angles: np.ndarray, size: int) -> np.
     return (np.eye(n) + X @ X.swapaxes(1, 2)).reshape(-1, size)
 
 
-def _inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
+def _inertias(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
+    """Of the same bodies, moments about the centre of mass: I - (h·h 1 - h h^T) / m."""
+    B = _spatial_inertias(numbers, angles, size)
+    h = B[:, 1:4] / np.sqrt(B[:, :1])
+    x, y, z = h.T
+    own = np.stack([y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z], axis=1)
+    return np.hstack([B[:, :4], (B[:, 4:] - own)[:, [0, 1, 2, 3, 5, 4]]])
+
+
+def _spatial_inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
     """Σ m (1, r, r·r 1 - r r^T) of a few points: of bodies that can be."""
     shape = (len(angles), 6)
     m, (x, y, z) = 0.1 + numbers.random(shape), numbers.normal(size=(3, *shape))
@@ -171,7 +180,7 @@ def _fractions(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
 # Quantities that are more than so many numbers, and arguments that are more than their quantity.
 _DRAWN: dict[str, Callable[[Generator, np.ndarray, int], np.ndarray]] = {
     "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines,
-    "quaternion": _quaternions, "inertia": _inertias, "axis": _axes, "k": _fractions,
+    "quaternion": _quaternions, "inertia": _inertias, "spatial_inertia": _spatial_inertias, "axis": _axes, "k": _fractions,
     "A": _positive_definite, "Ic": _positive_definite}
 
 

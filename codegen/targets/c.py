@@ -14,14 +14,15 @@ from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, 
 from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
-           "inertia")
+           "inertia", "spatial_inertia")
 
 # Conversions name both types, so that in single precision both have an f.
-_CONVERSION = re.compile(r"(from|to)(SE3|Mat4x4)")
+_CONVERSION = re.compile(r"_(from|to)(SE3|Mat4x4)")
 
 _MEMBERS = {
     "vec3": tuple("xyz"), "vec4": tuple("xyzw"), "quaternion": tuple("xyzw"),
-    "inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
+    "inertia": ("m", "mt.x", "mt.y", "mt.z", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"),
+    "spatial_inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
 
 @dataclass(frozen=True)
@@ -51,10 +52,10 @@ def c_name(name: str, precision: Precision) -> str:
     (ksl_quaternion_product_qq, ksl_product_qqf)."""
     if name.startswith("quaternion_product_") and precision.suffix:
         name = name.removeprefix("quaternion_")
-    head, underscore, tail = name.partition("_")
-    if head in STRUCTS:
+    if kind := next((kind for kind in STRUCTS if f"{name}_".startswith(f"{kind}_")), ""):
+        tail = name.removeprefix(kind)
         tail += precision.suffix if _CONVERSION.fullmatch(tail) else ""
-        return f"ksl_{head}{precision.suffix}{underscore}{tail}"
+        return f"ksl_{kind}{precision.suffix}{tail}"
     return f"ksl_{name}{precision.suffix}"
 
 
@@ -89,7 +90,7 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
 def is_pointer(operation: Operation, argument: Argument) -> bool:
     """Whether C passes the argument's address: structs, and numbers that are written."""
     if argument.quantity.name in STRUCTS:
-        return not operation.by_value
+        return not operation.by_value or argument in operation.outputs[1:]
     return not argument.quantity.shape and argument in operation.outputs
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from coscrew_codegen.program import Constant
 from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT4X4, MAT6X6, QUATERNION, SCREW,
-                                      SE3, VEC3, VEC4, Quantity)
+                                      SE3, SPATIAL_INERTIA, VEC3, VEC4, Quantity)
 from coscrew_codegen.targets.c import CFunction, member, type_name
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.precision import Precision
@@ -38,7 +38,11 @@ _FIELDS = {
     "mat6x6": (("{real} as_array[36];",), ("{real} at[6][6];",)),
     "quaternion": (("{real} at[4];",), ("{real} x, y, z, w;",), ("ksl_vec3{f}_t r;",)),
     "inertia": (("{real} at[10];",),
-                ("{real} m;", "ksl_vec3{f}_t h;", "{real} xx, yy, zz, xy, xz, yz;")),
+                ("{real} m;", "ksl_vec3{f}_t mt;", "{real} Ixx, Iyy, Izz, Ixy, Iyz, Izx;"),
+                ("{real} mass;", "ksl_vec3{f}_t mr;", "{real} diagonal[3];",
+                 "{real} Iyx, Izy, Ixz;")),
+    "spatial_inertia": (("{real} at[10];",), (
+        "{real} m;", "ksl_vec3{f}_t h;", "{real} xx, yy, zz, xy, xz, yz;")),
 }
 
 _MEANING = {
@@ -51,14 +55,16 @@ _MEANING = {
     "coscrew": "coscrew (lin; ang) = (f; τ)",
     "mat6x6": "6×6 operator, stored column by column: at[column][row]",
     "quaternion": "quaternion (x, y, z, w), r = (x, y, z); for rotations, of norm 1",
-    "inertia": "spatial inertia: mass m, first moment h = m c, second moments about the origin",
+    "inertia": "inertia: mass m, first moment mt = m c, moments about the centre of mass c",
+    "spatial_inertia": "spatial inertia: mass m, first moment h = m c, moments about the origin",
 }
 
 _IDENTITIES = {"mat3x3": ("m00", "m11", "m22"), "mat4x4": ("m00", "m11", "m22", "m33"),
                "SE3": ("m00", "m11", "m22"), "quaternion": ("w",)}
 """The types that are allocated as identities, and their members that are 1 then."""
 
-TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA)
+TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA,
+         SPATIAL_INERTIA)
 """The struct types, each after those it is made of."""
 
 INTEGER = Precision("integer", "int", "i", "int32", 4)
@@ -122,7 +128,7 @@ def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...
     if quantity is None:
         return ()
     stem = f"ksl_{family}{precision.suffix}"
-    functions = [] if quantity is MAT6X6 else [_constructor(quantity, precision, stem)]
+    functions = [] if quantity in (MAT6X6, INERTIA) else [_constructor(quantity, precision, stem)]
     if quantity in (MAT3X3, MAT4X4, SE3):
         functions.append(_constructor(quantity, precision, f"{stem}_cmo", by_columns=True))
     if quantity is SE3:

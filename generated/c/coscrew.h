@@ -332,25 +332,57 @@ typedef union ksl_quaternionf_t {
   KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; double precision. */
 typedef union ksl_inertia_t {
+  KSL_VIEW { double at[10]; };
+  KSL_VIEW {
+    double m;
+    ksl_vec3_t mt;
+    double Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    double mass;
+    ksl_vec3_t mr;
+    double diagonal[3];
+    double Iyx, Izy, Ixz;
+  };
+} ksl_inertia_t;
+
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; single precision. */
+typedef union ksl_inertiaf_t {
+  KSL_VIEW { float at[10]; };
+  KSL_VIEW {
+    float m;
+    ksl_vec3f_t mt;
+    float Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    float mass;
+    ksl_vec3f_t mr;
+    float diagonal[3];
+    float Iyx, Izy, Ixz;
+  };
+} ksl_inertiaf_t;
+
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; double precision. */
+typedef union ksl_spatial_inertia_t {
   KSL_VIEW { double at[10]; };
   KSL_VIEW {
     double m;
     ksl_vec3_t h;
     double xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertia_t;
+} ksl_spatial_inertia_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; single precision. */
-typedef union ksl_inertiaf_t {
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; single precision. */
+typedef union ksl_spatial_inertiaf_t {
   KSL_VIEW { float at[10]; };
   KSL_VIEW {
     float m;
     ksl_vec3f_t h;
     float xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertiaf_t;
+} ksl_spatial_inertiaf_t;
 
 /* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
    of the body as the turns before have left it. */
@@ -21910,16 +21942,1003 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
 
 #endif
 
-/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin. */
+/* Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass. */
 #ifndef KSL_INERTIA_H
 #define KSL_INERTIA_H
 
 
-/* The inertia of these entries, in order. */
-static inline ksl_inertia_t ksl_inertia(const double m, const double hx, const double hy,
-    const double hz, const double xx, const double yy, const double zz,
-    const double xy, const double xz, const double yz) {
-  ksl_inertia_t value;
+/* J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+     moments' matrix about it in kg m^2, Ixy = -∫ x y dm.
+   m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline ksl_inertia_t ksl_inertia(const double m, const ksl_vec3_t t, const double Ixx,
+    const double Iyy, const double Izz, const double Ixy, const double Iyz,
+    const double Izx) {
+  const double J_1 = KSL_MUL(m, t.x);
+  const double J_2 = KSL_MUL(m, t.y);
+  const double J_3 = KSL_MUL(m, t.z);
+  ksl_inertia_t J;
+  J.m = m;
+  J.mt.x = J_1;
+  J.mt.y = J_2;
+  J.mt.z = J_3;
+  J.Ixx = Ixx;
+  J.Iyy = Iyy;
+  J.Izz = Izz;
+  J.Ixy = Ixy;
+  J.Iyz = Iyz;
+  J.Izx = Izx;
+  return J;
+}
+
+/* Jo = Ji.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2).
+   No arithmetic.
+   Exact. */
+static inline void ksl_inertia_copy(const ksl_inertia_t *Ji, ksl_inertia_t *Jo) {
+  const double Ji_m = Ji->m;
+  const double Ji_mt_x = Ji->mt.x;
+  const double Ji_mt_y = Ji->mt.y;
+  const double Ji_mt_z = Ji->mt.z;
+  const double Ji_Ixx = Ji->Ixx;
+  const double Ji_Iyy = Ji->Iyy;
+  const double Ji_Izz = Ji->Izz;
+  const double Ji_Ixy = Ji->Ixy;
+  const double Ji_Iyz = Ji->Iyz;
+  const double Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Ji_mt_x;
+  Jo->mt.y = Ji_mt_y;
+  Jo->mt.z = Ji_mt_z;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+}
+
+/* Jo = Ji turned by R: m, R mt, R I R^T.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); R: rotation or other 3×3 matrix.
+   54 mul, 36 add.
+   Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_rotated(const ksl_inertia_t *Ji, const ksl_mat3x3_t *R,
+    ksl_inertia_t *Jo) {
+  const double RI_0a = KSL_MUL(Ji->Ixx, R->m00), RI_0b = KSL_MUL(Ji->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(Ji->Iyy, R->m01), RI_1b = KSL_MUL(Ji->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(Ji->Izz, R->m02), RI_2b = KSL_MUL(Ji->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(Ji->Ixx, R->m10), RI_3b = KSL_MUL(Ji->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(Ji->Iyy, R->m11), RI_4b = KSL_MUL(Ji->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(Ji->Izz, R->m12), RI_5b = KSL_MUL(Ji->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(Ji->Ixx, R->m20), RI_6b = KSL_MUL(Ji->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(Ji->Iyy, R->m21), RI_7b = KSL_MUL(Ji->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(Ji->Izz, R->m22), RI_8b = KSL_MUL(Ji->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const double Jo_1a = KSL_MUL(Ji->mt.x, R->m00), Jo_1b = KSL_MUL(Ji->mt.y, R->m01),
+      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MUL(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+  const double Jo_2a = KSL_MUL(Ji->mt.x, R->m10), Jo_2b = KSL_MUL(Ji->mt.y, R->m11),
+      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MUL(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+  const double Jo_3a = KSL_MUL(Ji->mt.x, R->m20), Jo_3b = KSL_MUL(Ji->mt.y, R->m21),
+      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
+  const double Jo_4a = KSL_MUL(R->m00, RI_0), Jo_4b = KSL_MUL(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MUL(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const double Jo_5a = KSL_MUL(R->m10, RI_3), Jo_5b = KSL_MUL(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MUL(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const double Jo_6a = KSL_MUL(R->m20, RI_6), Jo_6b = KSL_MUL(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MUL(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const double Jo_7a = KSL_MUL(R->m10, RI_0), Jo_7b = KSL_MUL(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MUL(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const double Jo_8a = KSL_MUL(R->m20, RI_3), Jo_8b = KSL_MUL(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MUL(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const double Jo_9a = KSL_MUL(R->m20, RI_0), Jo_9b = KSL_MUL(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MUL(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
+/* self = self turned by R: m, R mt, R I R^T.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); R: rotation or other 3×3 matrix.
+   54 mul, 36 add.
+   Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_rotate(ksl_inertia_t *self, const ksl_mat3x3_t *R) {
+  const double RI_0a = KSL_MUL(self->Ixx, R->m00), RI_0b = KSL_MUL(self->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(self->Iyy, R->m01), RI_1b = KSL_MUL(self->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(self->Izz, R->m02), RI_2b = KSL_MUL(self->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(self->Ixx, R->m10), RI_3b = KSL_MUL(self->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(self->Iyy, R->m11), RI_4b = KSL_MUL(self->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(self->Izz, R->m12), RI_5b = KSL_MUL(self->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(self->Ixx, R->m20), RI_6b = KSL_MUL(self->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(self->Iyy, R->m21), RI_7b = KSL_MUL(self->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(self->Izz, R->m22), RI_8b = KSL_MUL(self->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const double self_1_new_a = KSL_MUL(self->mt.x, R->m00),
+      self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
+      self_1_new_d = KSL_MUL(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+  const double self_2_new_a = KSL_MUL(self->mt.x, R->m10),
+      self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
+      self_2_new_d = KSL_MUL(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+  const double self_3_new_a = KSL_MUL(self->mt.x, R->m20),
+      self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
+      self_3_new_d = KSL_MUL(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
+  const double self_4_new_a = KSL_MUL(R->m00, RI_0), self_4_new_b = KSL_MUL(R->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(R->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const double self_5_new_a = KSL_MUL(R->m10, RI_3), self_5_new_b = KSL_MUL(R->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(R->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const double self_6_new_a = KSL_MUL(R->m20, RI_6), self_6_new_b = KSL_MUL(R->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(R->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const double self_7_new_a = KSL_MUL(R->m10, RI_0), self_7_new_b = KSL_MUL(R->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(R->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const double self_8_new_a = KSL_MUL(R->m20, RI_3), self_8_new_b = KSL_MUL(R->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(R->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const double self_9_new_a = KSL_MUL(R->m20, RI_0), self_9_new_b = KSL_MUL(R->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(R->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+}
+
+/* Jo = Ji moved by t: m, mt + m t, I.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); t: vector.
+   3 mul, 3 add.
+   Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_translated(const ksl_inertia_t *Ji, const ksl_vec3_t *t,
+    ksl_inertia_t *Jo) {
+  const double Jo_1a = KSL_MUL(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
+  const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
+  const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const double Ji_m = Ji->m;
+  const double Ji_Ixx = Ji->Ixx;
+  const double Ji_Iyy = Ji->Iyy;
+  const double Ji_Izz = Ji->Izz;
+  const double Ji_Ixy = Ji->Ixy;
+  const double Ji_Iyz = Ji->Iyz;
+  const double Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+}
+
+/* self = self moved by t: m, mt + m t, I.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); t: vector.
+   3 mul, 3 add.
+   Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_translate(ksl_inertia_t *self, const ksl_vec3_t *t) {
+  const double self_1_new_a = KSL_MUL(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
+  const double self_2_new_a = KSL_MUL(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
+  const double self_3_new_a = KSL_MUL(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+}
+
+/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   57 mul, 39 add.
+   Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_transformed(const ksl_inertia_t *Ji, const ksl_SE3_t *D,
+    ksl_inertia_t *Jo) {
+  const double RI_0a = KSL_MUL(Ji->Ixx, D->m00), RI_0b = KSL_MUL(Ji->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(Ji->Iyy, D->m01), RI_1b = KSL_MUL(Ji->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(Ji->Izz, D->m02), RI_2b = KSL_MUL(Ji->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(Ji->Ixx, D->m10), RI_3b = KSL_MUL(Ji->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(Ji->Iyy, D->m11), RI_4b = KSL_MUL(Ji->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(Ji->Izz, D->m12), RI_5b = KSL_MUL(Ji->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(Ji->Ixx, D->m20), RI_6b = KSL_MUL(Ji->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(Ji->Iyy, D->m21), RI_7b = KSL_MUL(Ji->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(Ji->Izz, D->m22), RI_8b = KSL_MUL(Ji->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const double Jo_1a = KSL_MUL(Ji->m, D->m03), Jo_1b = KSL_MUL(Ji->mt.x, D->m00),
+      Jo_1c = KSL_MUL(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MUL(Ji->mt.z, D->m02),
+      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+  const double Jo_2a = KSL_MUL(Ji->m, D->m13), Jo_2b = KSL_MUL(Ji->mt.x, D->m10),
+      Jo_2c = KSL_MUL(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MUL(Ji->mt.z, D->m12),
+      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+  const double Jo_3a = KSL_MUL(Ji->m, D->m23), Jo_3b = KSL_MUL(Ji->mt.x, D->m20),
+      Jo_3c = KSL_MUL(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MUL(Ji->mt.z, D->m22),
+      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const double Jo_4a = KSL_MUL(D->m00, RI_0), Jo_4b = KSL_MUL(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MUL(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const double Jo_5a = KSL_MUL(D->m10, RI_3), Jo_5b = KSL_MUL(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MUL(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const double Jo_6a = KSL_MUL(D->m20, RI_6), Jo_6b = KSL_MUL(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MUL(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const double Jo_7a = KSL_MUL(D->m10, RI_0), Jo_7b = KSL_MUL(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MUL(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const double Jo_8a = KSL_MUL(D->m20, RI_3), Jo_8b = KSL_MUL(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MUL(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const double Jo_9a = KSL_MUL(D->m20, RI_0), Jo_9b = KSL_MUL(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MUL(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
+/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); D: displacement [R | t], R rotation, t in m.
+   57 mul, 39 add.
+   Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertia_transform(ksl_inertia_t *self, const ksl_SE3_t *D) {
+  const double RI_0a = KSL_MUL(self->Ixx, D->m00), RI_0b = KSL_MUL(self->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(self->Iyy, D->m01), RI_1b = KSL_MUL(self->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(self->Izz, D->m02), RI_2b = KSL_MUL(self->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(self->Ixx, D->m10), RI_3b = KSL_MUL(self->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(self->Iyy, D->m11), RI_4b = KSL_MUL(self->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(self->Izz, D->m12), RI_5b = KSL_MUL(self->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(self->Ixx, D->m20), RI_6b = KSL_MUL(self->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(self->Iyy, D->m21), RI_7b = KSL_MUL(self->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(self->Izz, D->m22), RI_8b = KSL_MUL(self->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const double self_1_new_a = KSL_MUL(self->m, D->m03), self_1_new_b = KSL_MUL(self->mt.x, D->m00),
+      self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
+      self_1_new_e = KSL_MUL(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
+      self_1_new = self_1_new_a + self_1_new_f;
+  const double self_2_new_a = KSL_MUL(self->m, D->m13), self_2_new_b = KSL_MUL(self->mt.x, D->m10),
+      self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
+      self_2_new_e = KSL_MUL(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
+      self_2_new = self_2_new_a + self_2_new_f;
+  const double self_3_new_a = KSL_MUL(self->m, D->m23), self_3_new_b = KSL_MUL(self->mt.x, D->m20),
+      self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
+      self_3_new_e = KSL_MUL(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
+      self_3_new = self_3_new_a + self_3_new_f;
+  const double self_4_new_a = KSL_MUL(D->m00, RI_0), self_4_new_b = KSL_MUL(D->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(D->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const double self_5_new_a = KSL_MUL(D->m10, RI_3), self_5_new_b = KSL_MUL(D->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(D->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const double self_6_new_a = KSL_MUL(D->m20, RI_6), self_6_new_b = KSL_MUL(D->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(D->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const double self_7_new_a = KSL_MUL(D->m10, RI_0), self_7_new_b = KSL_MUL(D->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(D->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const double self_8_new_a = KSL_MUL(D->m20, RI_3), self_8_new_b = KSL_MUL(D->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(D->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const double self_9_new_a = KSL_MUL(D->m20, RI_0), self_9_new_b = KSL_MUL(D->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(D->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+}
+
+/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
+     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
+     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
+     where m_i + m_j = 0.
+   Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
+   67 mul, 61 add, 1 div.
+   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
+     barring over- and underflow. */
+static inline void ksl_inertia_merge(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
+    const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
+  const double m = Ji->m + Jj->m;
+  const double c_0a = KSL_MUL(t_jc->x, D_ij->m00), c_0b = KSL_MUL(t_jc->y, D_ij->m01),
+      c_0c = c_0a + c_0b, c_0d = KSL_MUL(t_jc->z, D_ij->m02), c_0e = c_0c + c_0d,
+      c_0 = c_0e + D_ij->m03;
+  const double c_1a = KSL_MUL(t_jc->x, D_ij->m10), c_1b = KSL_MUL(t_jc->y, D_ij->m11),
+      c_1c = c_1a + c_1b, c_1d = KSL_MUL(t_jc->z, D_ij->m12), c_1e = c_1c + c_1d,
+      c_1 = c_1e + D_ij->m13;
+  const double c_2a = KSL_MUL(t_jc->x, D_ij->m20), c_2b = KSL_MUL(t_jc->y, D_ij->m21),
+      c_2c = c_2a + c_2b, c_2d = KSL_MUL(t_jc->z, D_ij->m22), c_2e = c_2c + c_2d,
+      c_2 = c_2e + D_ij->m23;
+  const double d_0 = c_0 - t_ic->x;
+  const double d_1 = c_1 - t_ic->y;
+  const double d_2 = c_2 - t_ic->z;
+  const double part = Jj->m / m;
+  const double reduced = KSL_MUL(Ji->m, part);
+  const double p_0 = KSL_MUL(d_0, reduced);
+  const double p_1 = KSL_MUL(d_1, reduced);
+  const double p_2 = KSL_MUL(d_2, reduced);
+  const double squares_0 = KSL_MUL(d_0, p_0);
+  const double squares_1 = KSL_MUL(d_1, p_1);
+  const double squares_2 = KSL_MUL(d_2, p_2);
+  const double RI_0a = KSL_MUL(Jj->Ixx, D_ij->m00), RI_0b = KSL_MUL(Jj->Ixy, D_ij->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Jj->Izx, D_ij->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(Jj->Iyy, D_ij->m01), RI_1b = KSL_MUL(Jj->Ixy, D_ij->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Jj->Iyz, D_ij->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(Jj->Izz, D_ij->m02), RI_2b = KSL_MUL(Jj->Iyz, D_ij->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Jj->Izx, D_ij->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(Jj->Ixx, D_ij->m10), RI_3b = KSL_MUL(Jj->Ixy, D_ij->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Jj->Izx, D_ij->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(Jj->Iyy, D_ij->m11), RI_4b = KSL_MUL(Jj->Ixy, D_ij->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Jj->Iyz, D_ij->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(Jj->Izz, D_ij->m12), RI_5b = KSL_MUL(Jj->Iyz, D_ij->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Jj->Izx, D_ij->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(Jj->Ixx, D_ij->m20), RI_6b = KSL_MUL(Jj->Ixy, D_ij->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Jj->Izx, D_ij->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(Jj->Iyy, D_ij->m21), RI_7b = KSL_MUL(Jj->Ixy, D_ij->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Jj->Iyz, D_ij->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(Jj->Izz, D_ij->m22), RI_8b = KSL_MUL(Jj->Iyz, D_ij->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Jj->Izx, D_ij->m20), RI_8 = RI_8c + RI_8d;
+  const double Ji_1_new_a = KSL_MUL(Jj->m, c_0), Ji_1_new = Ji->mt.x + Ji_1_new_a;
+  const double Ji_2_new_a = KSL_MUL(Jj->m, c_1), Ji_2_new = Ji->mt.y + Ji_2_new_a;
+  const double Ji_3_new_a = KSL_MUL(Jj->m, c_2), Ji_3_new = Ji->mt.z + Ji_3_new_a;
+  const double Ji_4_new_a = KSL_MUL(D_ij->m00, RI_0), Ji_4_new_b = KSL_MUL(D_ij->m01, RI_1),
+      Ji_4_new_c = Ji_4_new_a + Ji_4_new_b, Ji_4_new_d = KSL_MUL(D_ij->m02, RI_2),
+      Ji_4_new_e = Ji_4_new_c + Ji_4_new_d, Ji_4_new_f = Ji->Ixx + Ji_4_new_e,
+      Ji_4_new_g = squares_1 + squares_2, Ji_4_new = Ji_4_new_f + Ji_4_new_g;
+  const double Ji_5_new_a = KSL_MUL(D_ij->m10, RI_3), Ji_5_new_b = KSL_MUL(D_ij->m11, RI_4),
+      Ji_5_new_c = Ji_5_new_a + Ji_5_new_b, Ji_5_new_d = KSL_MUL(D_ij->m12, RI_5),
+      Ji_5_new_e = Ji_5_new_c + Ji_5_new_d, Ji_5_new_f = Ji->Iyy + Ji_5_new_e,
+      Ji_5_new_g = squares_0 + squares_2, Ji_5_new = Ji_5_new_f + Ji_5_new_g;
+  const double Ji_6_new_a = KSL_MUL(D_ij->m20, RI_6), Ji_6_new_b = KSL_MUL(D_ij->m21, RI_7),
+      Ji_6_new_c = Ji_6_new_a + Ji_6_new_b, Ji_6_new_d = KSL_MUL(D_ij->m22, RI_8),
+      Ji_6_new_e = Ji_6_new_c + Ji_6_new_d, Ji_6_new_f = Ji->Izz + Ji_6_new_e,
+      Ji_6_new_g = squares_0 + squares_1, Ji_6_new = Ji_6_new_f + Ji_6_new_g;
+  const double Ji_7_new_a = KSL_MUL(D_ij->m10, RI_0), Ji_7_new_b = KSL_MUL(D_ij->m11, RI_1),
+      Ji_7_new_c = Ji_7_new_a + Ji_7_new_b, Ji_7_new_d = KSL_MUL(D_ij->m12, RI_2),
+      Ji_7_new_e = Ji_7_new_c + Ji_7_new_d, Ji_7_new_f = Ji->Ixy + Ji_7_new_e,
+      Ji_7_new_g = KSL_MUL(d_1, p_0), Ji_7_new = Ji_7_new_f - Ji_7_new_g;
+  const double Ji_8_new_a = KSL_MUL(D_ij->m20, RI_3), Ji_8_new_b = KSL_MUL(D_ij->m21, RI_4),
+      Ji_8_new_c = Ji_8_new_a + Ji_8_new_b, Ji_8_new_d = KSL_MUL(D_ij->m22, RI_5),
+      Ji_8_new_e = Ji_8_new_c + Ji_8_new_d, Ji_8_new_f = Ji->Iyz + Ji_8_new_e,
+      Ji_8_new_g = KSL_MUL(d_2, p_1), Ji_8_new = Ji_8_new_f - Ji_8_new_g;
+  const double Ji_9_new_a = KSL_MUL(D_ij->m20, RI_0), Ji_9_new_b = KSL_MUL(D_ij->m21, RI_1),
+      Ji_9_new_c = Ji_9_new_a + Ji_9_new_b, Ji_9_new_d = KSL_MUL(D_ij->m22, RI_2),
+      Ji_9_new_e = Ji_9_new_c + Ji_9_new_d, Ji_9_new_f = Ji->Izx + Ji_9_new_e,
+      Ji_9_new_g = KSL_MUL(d_2, p_0), Ji_9_new = Ji_9_new_f - Ji_9_new_g;
+  Ji->m = m;
+  Ji->mt.x = Ji_1_new;
+  Ji->mt.y = Ji_2_new;
+  Ji->mt.z = Ji_3_new;
+  Ji->Ixx = Ji_4_new;
+  Ji->Iyy = Ji_5_new;
+  Ji->Izz = Ji_6_new;
+  Ji->Ixy = Ji_7_new;
+  Ji->Iyz = Ji_8_new;
+  Ji->Izx = Ji_9_new;
+}
+
+/* J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+     moments' matrix about it in kg m^2, Ixy = -∫ x y dm.
+   m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector.
+   3 mul.
+   Error <= u |result|, barring over- and underflow. */
+static inline ksl_inertiaf_t ksl_inertiaf(const float m, const ksl_vec3f_t t, const float Ixx,
+    const float Iyy, const float Izz, const float Ixy, const float Iyz,
+    const float Izx) {
+  const float J_1 = KSL_MULF(m, t.x);
+  const float J_2 = KSL_MULF(m, t.y);
+  const float J_3 = KSL_MULF(m, t.z);
+  ksl_inertiaf_t J;
+  J.m = m;
+  J.mt.x = J_1;
+  J.mt.y = J_2;
+  J.mt.z = J_3;
+  J.Ixx = Ixx;
+  J.Iyy = Iyy;
+  J.Izz = Izz;
+  J.Ixy = Ixy;
+  J.Iyz = Iyz;
+  J.Izx = Izx;
+  return J;
+}
+
+/* Jo = Ji.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2).
+   No arithmetic.
+   Exact. */
+static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Ji, ksl_inertiaf_t *Jo) {
+  const float Ji_m = Ji->m;
+  const float Ji_mt_x = Ji->mt.x;
+  const float Ji_mt_y = Ji->mt.y;
+  const float Ji_mt_z = Ji->mt.z;
+  const float Ji_Ixx = Ji->Ixx;
+  const float Ji_Iyy = Ji->Iyy;
+  const float Ji_Izz = Ji->Izz;
+  const float Ji_Ixy = Ji->Ixy;
+  const float Ji_Iyz = Ji->Iyz;
+  const float Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Ji_mt_x;
+  Jo->mt.y = Ji_mt_y;
+  Jo->mt.z = Ji_mt_z;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+}
+
+/* Jo = Ji turned by R: m, R mt, R I R^T.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); R: rotation or other 3×3 matrix.
+   54 mul, 36 add.
+   Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_rotated(const ksl_inertiaf_t *Ji, const ksl_mat3x3f_t *R,
+    ksl_inertiaf_t *Jo) {
+  const float RI_0a = KSL_MULF(Ji->Ixx, R->m00), RI_0b = KSL_MULF(Ji->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(Ji->Iyy, R->m01), RI_1b = KSL_MULF(Ji->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(Ji->Izz, R->m02), RI_2b = KSL_MULF(Ji->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(Ji->Ixx, R->m10), RI_3b = KSL_MULF(Ji->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(Ji->Iyy, R->m11), RI_4b = KSL_MULF(Ji->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(Ji->Izz, R->m12), RI_5b = KSL_MULF(Ji->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(Ji->Ixx, R->m20), RI_6b = KSL_MULF(Ji->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(Ji->Iyy, R->m21), RI_7b = KSL_MULF(Ji->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(Ji->Izz, R->m22), RI_8b = KSL_MULF(Ji->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const float Jo_1a = KSL_MULF(Ji->mt.x, R->m00), Jo_1b = KSL_MULF(Ji->mt.y, R->m01),
+      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MULF(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+  const float Jo_2a = KSL_MULF(Ji->mt.x, R->m10), Jo_2b = KSL_MULF(Ji->mt.y, R->m11),
+      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MULF(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+  const float Jo_3a = KSL_MULF(Ji->mt.x, R->m20), Jo_3b = KSL_MULF(Ji->mt.y, R->m21),
+      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
+  const float Jo_4a = KSL_MULF(R->m00, RI_0), Jo_4b = KSL_MULF(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MULF(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const float Jo_5a = KSL_MULF(R->m10, RI_3), Jo_5b = KSL_MULF(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MULF(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const float Jo_6a = KSL_MULF(R->m20, RI_6), Jo_6b = KSL_MULF(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MULF(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const float Jo_7a = KSL_MULF(R->m10, RI_0), Jo_7b = KSL_MULF(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MULF(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const float Jo_8a = KSL_MULF(R->m20, RI_3), Jo_8b = KSL_MULF(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MULF(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const float Jo_9a = KSL_MULF(R->m20, RI_0), Jo_9b = KSL_MULF(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MULF(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
+/* self = self turned by R: m, R mt, R I R^T.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); R: rotation or other 3×3 matrix.
+   54 mul, 36 add.
+   Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_rotate(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R) {
+  const float RI_0a = KSL_MULF(self->Ixx, R->m00), RI_0b = KSL_MULF(self->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(self->Iyy, R->m01), RI_1b = KSL_MULF(self->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(self->Izz, R->m02), RI_2b = KSL_MULF(self->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(self->Ixx, R->m10), RI_3b = KSL_MULF(self->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(self->Iyy, R->m11), RI_4b = KSL_MULF(self->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(self->Izz, R->m12), RI_5b = KSL_MULF(self->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(self->Ixx, R->m20), RI_6b = KSL_MULF(self->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(self->Iyy, R->m21), RI_7b = KSL_MULF(self->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(self->Izz, R->m22), RI_8b = KSL_MULF(self->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const float self_1_new_a = KSL_MULF(self->mt.x, R->m00),
+      self_1_new_b = KSL_MULF(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
+      self_1_new_d = KSL_MULF(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+  const float self_2_new_a = KSL_MULF(self->mt.x, R->m10),
+      self_2_new_b = KSL_MULF(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
+      self_2_new_d = KSL_MULF(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+  const float self_3_new_a = KSL_MULF(self->mt.x, R->m20),
+      self_3_new_b = KSL_MULF(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
+      self_3_new_d = KSL_MULF(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
+  const float self_4_new_a = KSL_MULF(R->m00, RI_0), self_4_new_b = KSL_MULF(R->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(R->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const float self_5_new_a = KSL_MULF(R->m10, RI_3), self_5_new_b = KSL_MULF(R->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(R->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const float self_6_new_a = KSL_MULF(R->m20, RI_6), self_6_new_b = KSL_MULF(R->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(R->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const float self_7_new_a = KSL_MULF(R->m10, RI_0), self_7_new_b = KSL_MULF(R->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(R->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const float self_8_new_a = KSL_MULF(R->m20, RI_3), self_8_new_b = KSL_MULF(R->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(R->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const float self_9_new_a = KSL_MULF(R->m20, RI_0), self_9_new_b = KSL_MULF(R->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(R->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+}
+
+/* Jo = Ji moved by t: m, mt + m t, I.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); t: vector.
+   3 mul, 3 add.
+   Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_translated(const ksl_inertiaf_t *Ji, const ksl_vec3f_t *t,
+    ksl_inertiaf_t *Jo) {
+  const float Jo_1a = KSL_MULF(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
+  const float Jo_2a = KSL_MULF(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
+  const float Jo_3a = KSL_MULF(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const float Ji_m = Ji->m;
+  const float Ji_Ixx = Ji->Ixx;
+  const float Ji_Iyy = Ji->Iyy;
+  const float Ji_Izz = Ji->Izz;
+  const float Ji_Ixy = Ji->Ixy;
+  const float Ji_Iyz = Ji->Iyz;
+  const float Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+}
+
+/* self = self moved by t: m, mt + m t, I.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); t: vector.
+   3 mul, 3 add.
+   Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_translate(ksl_inertiaf_t *self, const ksl_vec3f_t *t) {
+  const float self_1_new_a = KSL_MULF(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
+  const float self_2_new_a = KSL_MULF(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
+  const float self_3_new_a = KSL_MULF(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+}
+
+/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+   Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   57 mul, 39 add.
+   Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_transformed(const ksl_inertiaf_t *Ji, const ksl_SE3f_t *D,
+    ksl_inertiaf_t *Jo) {
+  const float RI_0a = KSL_MULF(Ji->Ixx, D->m00), RI_0b = KSL_MULF(Ji->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(Ji->Iyy, D->m01), RI_1b = KSL_MULF(Ji->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(Ji->Izz, D->m02), RI_2b = KSL_MULF(Ji->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(Ji->Ixx, D->m10), RI_3b = KSL_MULF(Ji->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(Ji->Iyy, D->m11), RI_4b = KSL_MULF(Ji->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(Ji->Izz, D->m12), RI_5b = KSL_MULF(Ji->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(Ji->Ixx, D->m20), RI_6b = KSL_MULF(Ji->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(Ji->Iyy, D->m21), RI_7b = KSL_MULF(Ji->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(Ji->Izz, D->m22), RI_8b = KSL_MULF(Ji->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const float Jo_1a = KSL_MULF(Ji->m, D->m03), Jo_1b = KSL_MULF(Ji->mt.x, D->m00),
+      Jo_1c = KSL_MULF(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MULF(Ji->mt.z, D->m02),
+      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+  const float Jo_2a = KSL_MULF(Ji->m, D->m13), Jo_2b = KSL_MULF(Ji->mt.x, D->m10),
+      Jo_2c = KSL_MULF(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MULF(Ji->mt.z, D->m12),
+      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+  const float Jo_3a = KSL_MULF(Ji->m, D->m23), Jo_3b = KSL_MULF(Ji->mt.x, D->m20),
+      Jo_3c = KSL_MULF(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MULF(Ji->mt.z, D->m22),
+      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const float Jo_4a = KSL_MULF(D->m00, RI_0), Jo_4b = KSL_MULF(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MULF(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const float Jo_5a = KSL_MULF(D->m10, RI_3), Jo_5b = KSL_MULF(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MULF(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const float Jo_6a = KSL_MULF(D->m20, RI_6), Jo_6b = KSL_MULF(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MULF(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const float Jo_7a = KSL_MULF(D->m10, RI_0), Jo_7b = KSL_MULF(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MULF(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const float Jo_8a = KSL_MULF(D->m20, RI_3), Jo_8b = KSL_MULF(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MULF(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const float Jo_9a = KSL_MULF(D->m20, RI_0), Jo_9b = KSL_MULF(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MULF(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
+/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+   self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
+     in kg m^2); D: displacement [R | t], R rotation, t in m.
+   57 mul, 39 add.
+   Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_inertiaf_transform(ksl_inertiaf_t *self, const ksl_SE3f_t *D) {
+  const float RI_0a = KSL_MULF(self->Ixx, D->m00), RI_0b = KSL_MULF(self->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(self->Iyy, D->m01), RI_1b = KSL_MULF(self->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(self->Izz, D->m02), RI_2b = KSL_MULF(self->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(self->Ixx, D->m10), RI_3b = KSL_MULF(self->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(self->Iyy, D->m11), RI_4b = KSL_MULF(self->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(self->Izz, D->m12), RI_5b = KSL_MULF(self->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(self->Ixx, D->m20), RI_6b = KSL_MULF(self->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(self->Iyy, D->m21), RI_7b = KSL_MULF(self->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(self->Izz, D->m22), RI_8b = KSL_MULF(self->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const float self_1_new_a = KSL_MULF(self->m, D->m03), self_1_new_b = KSL_MULF(self->mt.x, D->m00),
+      self_1_new_c = KSL_MULF(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
+      self_1_new_e = KSL_MULF(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
+      self_1_new = self_1_new_a + self_1_new_f;
+  const float self_2_new_a = KSL_MULF(self->m, D->m13), self_2_new_b = KSL_MULF(self->mt.x, D->m10),
+      self_2_new_c = KSL_MULF(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
+      self_2_new_e = KSL_MULF(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
+      self_2_new = self_2_new_a + self_2_new_f;
+  const float self_3_new_a = KSL_MULF(self->m, D->m23), self_3_new_b = KSL_MULF(self->mt.x, D->m20),
+      self_3_new_c = KSL_MULF(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
+      self_3_new_e = KSL_MULF(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
+      self_3_new = self_3_new_a + self_3_new_f;
+  const float self_4_new_a = KSL_MULF(D->m00, RI_0), self_4_new_b = KSL_MULF(D->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(D->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const float self_5_new_a = KSL_MULF(D->m10, RI_3), self_5_new_b = KSL_MULF(D->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(D->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const float self_6_new_a = KSL_MULF(D->m20, RI_6), self_6_new_b = KSL_MULF(D->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(D->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const float self_7_new_a = KSL_MULF(D->m10, RI_0), self_7_new_b = KSL_MULF(D->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(D->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const float self_8_new_a = KSL_MULF(D->m20, RI_3), self_8_new_b = KSL_MULF(D->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(D->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const float self_9_new_a = KSL_MULF(D->m20, RI_0), self_9_new_b = KSL_MULF(D->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(D->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+}
+
+/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
+     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
+     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
+     where m_i + m_j = 0.
+   Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
+     zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
+   67 mul, 61 add, 1 div.
+   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
+     barring over- and underflow. */
+static inline void ksl_inertiaf_merge(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
+    const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
+  const float m = Ji->m + Jj->m;
+  const float c_0a = KSL_MULF(t_jc->x, D_ij->m00), c_0b = KSL_MULF(t_jc->y, D_ij->m01),
+      c_0c = c_0a + c_0b, c_0d = KSL_MULF(t_jc->z, D_ij->m02), c_0e = c_0c + c_0d,
+      c_0 = c_0e + D_ij->m03;
+  const float c_1a = KSL_MULF(t_jc->x, D_ij->m10), c_1b = KSL_MULF(t_jc->y, D_ij->m11),
+      c_1c = c_1a + c_1b, c_1d = KSL_MULF(t_jc->z, D_ij->m12), c_1e = c_1c + c_1d,
+      c_1 = c_1e + D_ij->m13;
+  const float c_2a = KSL_MULF(t_jc->x, D_ij->m20), c_2b = KSL_MULF(t_jc->y, D_ij->m21),
+      c_2c = c_2a + c_2b, c_2d = KSL_MULF(t_jc->z, D_ij->m22), c_2e = c_2c + c_2d,
+      c_2 = c_2e + D_ij->m23;
+  const float d_0 = c_0 - t_ic->x;
+  const float d_1 = c_1 - t_ic->y;
+  const float d_2 = c_2 - t_ic->z;
+  const float part = Jj->m / m;
+  const float reduced = KSL_MULF(Ji->m, part);
+  const float p_0 = KSL_MULF(d_0, reduced);
+  const float p_1 = KSL_MULF(d_1, reduced);
+  const float p_2 = KSL_MULF(d_2, reduced);
+  const float squares_0 = KSL_MULF(d_0, p_0);
+  const float squares_1 = KSL_MULF(d_1, p_1);
+  const float squares_2 = KSL_MULF(d_2, p_2);
+  const float RI_0a = KSL_MULF(Jj->Ixx, D_ij->m00), RI_0b = KSL_MULF(Jj->Ixy, D_ij->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Jj->Izx, D_ij->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(Jj->Iyy, D_ij->m01), RI_1b = KSL_MULF(Jj->Ixy, D_ij->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Jj->Iyz, D_ij->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(Jj->Izz, D_ij->m02), RI_2b = KSL_MULF(Jj->Iyz, D_ij->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Jj->Izx, D_ij->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(Jj->Ixx, D_ij->m10), RI_3b = KSL_MULF(Jj->Ixy, D_ij->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Jj->Izx, D_ij->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(Jj->Iyy, D_ij->m11), RI_4b = KSL_MULF(Jj->Ixy, D_ij->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Jj->Iyz, D_ij->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(Jj->Izz, D_ij->m12), RI_5b = KSL_MULF(Jj->Iyz, D_ij->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Jj->Izx, D_ij->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(Jj->Ixx, D_ij->m20), RI_6b = KSL_MULF(Jj->Ixy, D_ij->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Jj->Izx, D_ij->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(Jj->Iyy, D_ij->m21), RI_7b = KSL_MULF(Jj->Ixy, D_ij->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Jj->Iyz, D_ij->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(Jj->Izz, D_ij->m22), RI_8b = KSL_MULF(Jj->Iyz, D_ij->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Jj->Izx, D_ij->m20), RI_8 = RI_8c + RI_8d;
+  const float Ji_1_new_a = KSL_MULF(Jj->m, c_0), Ji_1_new = Ji->mt.x + Ji_1_new_a;
+  const float Ji_2_new_a = KSL_MULF(Jj->m, c_1), Ji_2_new = Ji->mt.y + Ji_2_new_a;
+  const float Ji_3_new_a = KSL_MULF(Jj->m, c_2), Ji_3_new = Ji->mt.z + Ji_3_new_a;
+  const float Ji_4_new_a = KSL_MULF(D_ij->m00, RI_0), Ji_4_new_b = KSL_MULF(D_ij->m01, RI_1),
+      Ji_4_new_c = Ji_4_new_a + Ji_4_new_b, Ji_4_new_d = KSL_MULF(D_ij->m02, RI_2),
+      Ji_4_new_e = Ji_4_new_c + Ji_4_new_d, Ji_4_new_f = Ji->Ixx + Ji_4_new_e,
+      Ji_4_new_g = squares_1 + squares_2, Ji_4_new = Ji_4_new_f + Ji_4_new_g;
+  const float Ji_5_new_a = KSL_MULF(D_ij->m10, RI_3), Ji_5_new_b = KSL_MULF(D_ij->m11, RI_4),
+      Ji_5_new_c = Ji_5_new_a + Ji_5_new_b, Ji_5_new_d = KSL_MULF(D_ij->m12, RI_5),
+      Ji_5_new_e = Ji_5_new_c + Ji_5_new_d, Ji_5_new_f = Ji->Iyy + Ji_5_new_e,
+      Ji_5_new_g = squares_0 + squares_2, Ji_5_new = Ji_5_new_f + Ji_5_new_g;
+  const float Ji_6_new_a = KSL_MULF(D_ij->m20, RI_6), Ji_6_new_b = KSL_MULF(D_ij->m21, RI_7),
+      Ji_6_new_c = Ji_6_new_a + Ji_6_new_b, Ji_6_new_d = KSL_MULF(D_ij->m22, RI_8),
+      Ji_6_new_e = Ji_6_new_c + Ji_6_new_d, Ji_6_new_f = Ji->Izz + Ji_6_new_e,
+      Ji_6_new_g = squares_0 + squares_1, Ji_6_new = Ji_6_new_f + Ji_6_new_g;
+  const float Ji_7_new_a = KSL_MULF(D_ij->m10, RI_0), Ji_7_new_b = KSL_MULF(D_ij->m11, RI_1),
+      Ji_7_new_c = Ji_7_new_a + Ji_7_new_b, Ji_7_new_d = KSL_MULF(D_ij->m12, RI_2),
+      Ji_7_new_e = Ji_7_new_c + Ji_7_new_d, Ji_7_new_f = Ji->Ixy + Ji_7_new_e,
+      Ji_7_new_g = KSL_MULF(d_1, p_0), Ji_7_new = Ji_7_new_f - Ji_7_new_g;
+  const float Ji_8_new_a = KSL_MULF(D_ij->m20, RI_3), Ji_8_new_b = KSL_MULF(D_ij->m21, RI_4),
+      Ji_8_new_c = Ji_8_new_a + Ji_8_new_b, Ji_8_new_d = KSL_MULF(D_ij->m22, RI_5),
+      Ji_8_new_e = Ji_8_new_c + Ji_8_new_d, Ji_8_new_f = Ji->Iyz + Ji_8_new_e,
+      Ji_8_new_g = KSL_MULF(d_2, p_1), Ji_8_new = Ji_8_new_f - Ji_8_new_g;
+  const float Ji_9_new_a = KSL_MULF(D_ij->m20, RI_0), Ji_9_new_b = KSL_MULF(D_ij->m21, RI_1),
+      Ji_9_new_c = Ji_9_new_a + Ji_9_new_b, Ji_9_new_d = KSL_MULF(D_ij->m22, RI_2),
+      Ji_9_new_e = Ji_9_new_c + Ji_9_new_d, Ji_9_new_f = Ji->Izx + Ji_9_new_e,
+      Ji_9_new_g = KSL_MULF(d_2, p_0), Ji_9_new = Ji_9_new_f - Ji_9_new_g;
+  Ji->m = m;
+  Ji->mt.x = Ji_1_new;
+  Ji->mt.y = Ji_2_new;
+  Ji->mt.z = Ji_3_new;
+  Ji->Ixx = Ji_4_new;
+  Ji->Iyy = Ji_5_new;
+  Ji->Izz = Ji_6_new;
+  Ji->Ixy = Ji_7_new;
+  Ji->Iyz = Ji_8_new;
+  Ji->Izx = Ji_9_new;
+}
+
+#ifndef KSL_NO_ALLOC
+#include <stdlib.h>
+
+/* n ksl_inertia_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_inertia_t *ksl_inertia_alloc(int n) {
+  return n > 0 ? (ksl_inertia_t *)calloc((size_t)n, sizeof(ksl_inertia_t)) : NULL;
+}
+
+/* n ksl_inertiaf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
+     is no memory. */
+static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
+  return n > 0 ? (ksl_inertiaf_t *)calloc((size_t)n, sizeof(ksl_inertiaf_t)) : NULL;
+}
+
+#endif
+
+/* What KSL declares beside formulas. */
+
+
+/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
+     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
+     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
+     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+static inline int ksl_inertia_factor(ksl_inertia_t *self) {
+  static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  ksl_mat3x3_t D = ksl_mat3x3(
+      self->Ixx, self->Ixy, self->Izx,
+      self->Ixy, self->Iyy, self->Iyz,
+      self->Izx, self->Iyz, self->Izz), L;
+  double least;
+  int rank = 0;
+  ksl_mat3x3_pca(&D, &L);
+  least = 1.4210854715202004e-14 * D.m00;
+  if (!(D.m22 >= -least)) {
+    self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (double)NAN;
+    return -1;
+  }
+  for (int i = 0; i < 3; i++) { /* L = V sqrt(D) */
+    const int counts = D.at[i][i] > least;
+    ksl_vec3_scale(&L.v[i], counts ? sqrt(D.at[i][i]) : 0);
+    rank += counts;
+  }
+  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+    const int i = planes[n][0], j = planes[n][1];
+    const ksl_vec3_t a = L.v[i], b = L.v[j];
+    ksl_vec3_t turn = ksl_vec3(a.at[i], b.at[i], 0);
+    ksl_vec3_normalize(&turn);
+    if (turn.y != 0) {
+      ksl_vec3_scale(&L.v[i], turn.x);
+      ksl_axpy_vv(turn.y, &b, &L.v[i]);
+      ksl_vec3_scale(&L.v[j], turn.x);
+      ksl_axpy_vv(-turn.y, &a, &L.v[j]);
+      L.at[j][i] = 0;
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    if (L.at[i][i] < 0) {
+      ksl_vec3_invert(&L.v[i]);
+    }
+  }
+  self->Ixx = L.m00; self->Iyy = L.m11; self->Izz = L.m22;
+  self->Ixy = L.m10; self->Iyz = L.m21; self->Izx = L.m20;
+  return rank;
+}
+
+/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
+     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
+     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
+     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
+  static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  ksl_mat3x3f_t D = ksl_mat3x3f(
+      self->Ixx, self->Ixy, self->Izx,
+      self->Ixy, self->Iyy, self->Iyz,
+      self->Izx, self->Iyz, self->Izz), L;
+  float least;
+  int rank = 0;
+  ksl_mat3x3f_pca(&D, &L);
+  least = 7.6293945e-06f * D.m00;
+  if (!(D.m22 >= -least)) {
+    self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (float)NAN;
+    return -1;
+  }
+  for (int i = 0; i < 3; i++) { /* L = V sqrt(D) */
+    const int counts = D.at[i][i] > least;
+    ksl_vec3f_scale(&L.v[i], counts ? sqrtf(D.at[i][i]) : 0);
+    rank += counts;
+  }
+  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+    const int i = planes[n][0], j = planes[n][1];
+    const ksl_vec3f_t a = L.v[i], b = L.v[j];
+    ksl_vec3f_t turn = ksl_vec3f(a.at[i], b.at[i], 0);
+    ksl_vec3f_normalize(&turn);
+    if (turn.y != 0) {
+      ksl_vec3f_scale(&L.v[i], turn.x);
+      ksl_axpy_vvf(turn.y, &b, &L.v[i]);
+      ksl_vec3f_scale(&L.v[j], turn.x);
+      ksl_axpy_vvf(-turn.y, &a, &L.v[j]);
+      L.at[j][i] = 0;
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    if (L.at[i][i] < 0) {
+      ksl_vec3f_invert(&L.v[i]);
+    }
+  }
+  self->Ixx = L.m00; self->Iyy = L.m11; self->Izz = L.m22;
+  self->Ixy = L.m10; self->Iyz = L.m21; self->Izx = L.m20;
+  return rank;
+}
+
+#endif
+
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin. */
+#ifndef KSL_SPATIAL_INERTIA_H
+#define KSL_SPATIAL_INERTIA_H
+
+
+/* The spatial_inertia of these entries, in order. */
+static inline ksl_spatial_inertia_t ksl_spatial_inertia(const double m, const double hx,
+    const double hy, const double hz, const double xx, const double yy,
+    const double zz, const double xy, const double xz, const double yz) {
+  ksl_spatial_inertia_t value;
   value.m = m;
   value.h.x = hx;
   value.h.y = hy;
@@ -21938,7 +22957,8 @@ static inline ksl_inertia_t ksl_inertia(const double m, const double hx, const d
      in kg m^2).
    No arithmetic.
    Exact. */
-static inline void ksl_inertia_copy(const ksl_inertia_t *Bi, ksl_inertia_t *Bo) {
+static inline void ksl_spatial_inertia_copy(const ksl_spatial_inertia_t *Bi,
+    ksl_spatial_inertia_t *Bo) {
   const double Bi_m = Bi->m;
   const double Bi_h_x = Bi->h.x;
   const double Bi_h_y = Bi->h.y;
@@ -21966,7 +22986,7 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Bi, ksl_inertia_t *Bo) 
      kg m^2); a: number.
    10 mul.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_inertia_scale(ksl_inertia_t *self, const double a) {
+static inline void ksl_spatial_inertia_scale(ksl_spatial_inertia_t *self, const double a) {
   const double self_0_new = KSL_MUL(self->m, a);
   const double self_1_new = KSL_MUL(self->h.x, a);
   const double self_2_new = KSL_MUL(self->h.y, a);
@@ -21994,7 +23014,8 @@ static inline void ksl_inertia_scale(ksl_inertia_t *self, const double a) {
      yz in kg m^2).
    10 add.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_add_BB(const ksl_inertia_t *B1, const ksl_inertia_t *B2, ksl_inertia_t *Bo) {
+static inline void ksl_add_BB(const ksl_spatial_inertia_t *B1, const ksl_spatial_inertia_t *B2,
+    ksl_spatial_inertia_t *Bo) {
   const double Bo_0 = B1->m + B2->m;
   const double Bo_1 = B1->h.x + B2->h.x;
   const double Bo_2 = B1->h.y + B2->h.y;
@@ -22022,8 +23043,8 @@ static inline void ksl_add_BB(const ksl_inertia_t *B1, const ksl_inertia_t *B2, 
      yz in kg m^2).
    10 add.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_subtract_BB(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
-    ksl_inertia_t *Bo) {
+static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo) {
   const double Bo_0 = B1->m - B2->m;
   const double Bo_1 = B1->h.x - B2->h.x;
   const double Bo_2 = B1->h.y - B2->h.y;
@@ -22053,8 +23074,8 @@ static inline void ksl_subtract_BB(const ksl_inertia_t *B1, const ksl_inertia_t 
    9 mul, 9 add.
    Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
-    const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo) {
+static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo) {
   const double h_0 = KSL_MUL(m, com->x);
   const double h_1 = KSL_MUL(m, com->y);
   const double h_2 = KSL_MUL(m, com->z);
@@ -22079,12 +23100,86 @@ static inline void ksl_inertia_from_com(const double m, const ksl_vec3_t *com,
   Bo->yz = Bo_9;
 }
 
+/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
+     a number where m = 0.
+   J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+     kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+     xz, yz in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
+    ksl_spatial_inertia_t *Bo) {
+  const double c_0 = J->mt.x / J->m;
+  const double c_1 = J->mt.y / J->m;
+  const double c_2 = J->mt.z / J->m;
+  const double squares_0 = KSL_MUL(J->mt.x, c_0);
+  const double squares_1 = KSL_MUL(J->mt.y, c_1);
+  const double squares_2 = KSL_MUL(J->mt.z, c_2);
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = J->Ixx + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = J->Iyy + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = J->Izz + Bo_6a;
+  const double Bo_7a = KSL_MUL(J->mt.x, c_1), Bo_7 = J->Ixy - Bo_7a;
+  const double Bo_8a = KSL_MUL(J->mt.x, c_2), Bo_8 = J->Izx - Bo_8a;
+  const double Bo_9a = KSL_MUL(J->mt.y, c_2), Bo_9 = J->Iyz - Bo_9a;
+  const double J_m = J->m;
+  const double J_mt_x = J->mt.x;
+  const double J_mt_y = J->mt.y;
+  const double J_mt_z = J->mt.z;
+  Bo->m = J_m;
+  Bo->h.x = J_mt_x;
+  Bo->h.y = J_mt_y;
+  Bo->h.z = J_mt_z;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
+     a number where m = 0.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
+     yz, zx in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t *B,
+    ksl_inertia_t *Jo) {
+  const double c_0 = B->h.x / B->m;
+  const double c_1 = B->h.y / B->m;
+  const double c_2 = B->h.z / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0);
+  const double squares_1 = KSL_MUL(B->h.y, c_1);
+  const double squares_2 = KSL_MUL(B->h.z, c_2);
+  const double Jo_4a = squares_1 + squares_2, Jo_4 = B->xx - Jo_4a;
+  const double Jo_5a = squares_0 + squares_2, Jo_5 = B->yy - Jo_5a;
+  const double Jo_6a = squares_0 + squares_1, Jo_6 = B->zz - Jo_6a;
+  const double Jo_7a = KSL_MUL(B->h.x, c_1), Jo_7 = Jo_7a + B->xy;
+  const double Jo_8a = KSL_MUL(B->h.y, c_2), Jo_8 = Jo_8a + B->yz;
+  const double Jo_9a = KSL_MUL(B->h.x, c_2), Jo_9 = Jo_9a + B->xz;
+  const double B_m = B->m;
+  const double B_h_x = B->h.x;
+  const double B_h_y = B->h.y;
+  const double B_h_z = B->h.z;
+  Jo->m = B_m;
+  Jo->mt.x = B_h_x;
+  Jo->mt.y = B_h_y;
+  Jo->mt.z = B_h_z;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
    3 div.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_inertia_com(const ksl_inertia_t *B, ksl_vec3_t *vo) {
+static inline void ksl_spatial_inertia_com(const ksl_spatial_inertia_t *B, ksl_vec3_t *vo) {
   const double vo_0 = B->h.x / B->m;
   const double vo_1 = B->h.y / B->m;
   const double vo_2 = B->h.z / B->m;
@@ -22097,7 +23192,7 @@ static inline void ksl_inertia_com(const ksl_inertia_t *B, ksl_vec3_t *vo) {
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 div. */
-static inline void ksl_inertia_about_com(const ksl_inertia_t *B, ksl_mat3x3_t *Ro) {
+static inline void ksl_spatial_inertia_about_com(const ksl_spatial_inertia_t *B, ksl_mat3x3_t *Ro) {
   const double c_0 = B->h.x / B->m;
   const double c_1 = B->h.y / B->m;
   const double c_2 = B->h.z / B->m;
@@ -22126,7 +23221,7 @@ static inline void ksl_inertia_about_com(const ksl_inertia_t *B, ksl_mat3x3_t *R
      m^2); Mo: 6×6 operator.
    3 neg.
    Exact. */
-static inline void ksl_inertia_matrix(const ksl_inertia_t *B, ksl_mat6x6_t *Mo) {
+static inline void ksl_spatial_inertia_matrix(const ksl_spatial_inertia_t *B, ksl_mat6x6_t *Mo) {
   const double Mo_05 = -B->h.y;
   const double Mo_13 = -B->h.z;
   const double Mo_24 = -B->h.x;
@@ -22184,7 +23279,8 @@ static inline void ksl_inertia_matrix(const ksl_inertia_t *B, ksl_mat6x6_t *Mo) 
    24 mul, 18 add.
    Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
-static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, ksl_coscrew_t *co) {
+static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
+    ksl_coscrew_t *co) {
   const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
       co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
   const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
@@ -22217,7 +23313,8 @@ static inline void ksl_product_Bs(const ksl_inertia_t *B, const ksl_screw_t *s, 
    28 mul, 17 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_t *s) {
+static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
+    const ksl_screw_t *s) {
   const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
@@ -22250,8 +23347,8 @@ static inline double ksl_inertia_energy(const ksl_inertia_t *B, const ksl_screw_
    18 mul, 18 add.
    Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t *B,
-    ksl_inertia_t *Bo) {
+static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
   const double mt_0 = KSL_MUL(t->x, B->m);
   const double mt_1 = KSL_MUL(t->y, B->m);
   const double mt_2 = KSL_MUL(t->z, B->m);
@@ -22304,8 +23401,8 @@ static inline void ksl_inertia_shifted(const ksl_vec3_t *t, const ksl_inertia_t 
    72 mul, 54 add.
    Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia_t *B,
-    ksl_inertia_t *Bo) {
+static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
   const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
       RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
   const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
@@ -22402,7 +23499,7 @@ static inline void ksl_inertia_transformed(const ksl_SE3_t *D, const ksl_inertia
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
-static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
+static inline double ksl_spatial_inertia_consistency(const ksl_spatial_inertia_t *B) {
   const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
       trace_c = trace_a + trace_b, trace_d = KSL_MUL(0.5, B->zz), trace = trace_c + trace_d;
   const double sigma_0 = trace - B->xx;
@@ -22439,11 +23536,11 @@ static inline double ksl_inertia_consistency(const ksl_inertia_t *B) {
   return smallest3;
 }
 
-/* The inertia of these entries, in order. */
-static inline ksl_inertiaf_t ksl_inertiaf(const float m, const float hx, const float hy,
-    const float hz, const float xx, const float yy, const float zz, const float xy,
-    const float xz, const float yz) {
-  ksl_inertiaf_t value;
+/* The spatial_inertia of these entries, in order. */
+static inline ksl_spatial_inertiaf_t ksl_spatial_inertiaf(const float m, const float hx,
+    const float hy, const float hz, const float xx, const float yy, const float zz,
+    const float xy, const float xz, const float yz) {
+  ksl_spatial_inertiaf_t value;
   value.m = m;
   value.h.x = hx;
   value.h.y = hy;
@@ -22462,7 +23559,8 @@ static inline ksl_inertiaf_t ksl_inertiaf(const float m, const float hx, const f
      in kg m^2).
    No arithmetic.
    Exact. */
-static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Bi, ksl_inertiaf_t *Bo) {
+static inline void ksl_spatial_inertiaf_copy(const ksl_spatial_inertiaf_t *Bi,
+    ksl_spatial_inertiaf_t *Bo) {
   const float Bi_m = Bi->m;
   const float Bi_h_x = Bi->h.x;
   const float Bi_h_y = Bi->h.y;
@@ -22490,7 +23588,7 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Bi, ksl_inertiaf_t *B
      kg m^2); a: number.
    10 mul.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_inertiaf_scale(ksl_inertiaf_t *self, const float a) {
+static inline void ksl_spatial_inertiaf_scale(ksl_spatial_inertiaf_t *self, const float a) {
   const float self_0_new = KSL_MULF(self->m, a);
   const float self_1_new = KSL_MULF(self->h.x, a);
   const float self_2_new = KSL_MULF(self->h.y, a);
@@ -22518,8 +23616,8 @@ static inline void ksl_inertiaf_scale(ksl_inertiaf_t *self, const float a) {
      yz in kg m^2).
    10 add.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_add_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
-    ksl_inertiaf_t *Bo) {
+static inline void ksl_add_BBf(const ksl_spatial_inertiaf_t *B1, const ksl_spatial_inertiaf_t *B2,
+    ksl_spatial_inertiaf_t *Bo) {
   const float Bo_0 = B1->m + B2->m;
   const float Bo_1 = B1->h.x + B2->h.x;
   const float Bo_2 = B1->h.y + B2->h.y;
@@ -22547,8 +23645,8 @@ static inline void ksl_add_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B
      yz in kg m^2).
    10 add.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_subtract_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
-    ksl_inertiaf_t *Bo) {
+static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
   const float Bo_0 = B1->m - B2->m;
   const float Bo_1 = B1->h.x - B2->h.x;
   const float Bo_2 = B1->h.y - B2->h.y;
@@ -22578,8 +23676,8 @@ static inline void ksl_subtract_BBf(const ksl_inertiaf_t *B1, const ksl_inertiaf
    9 mul, 9 add.
    Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
-    const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo) {
+static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo) {
   const float h_0 = KSL_MULF(m, com->x);
   const float h_1 = KSL_MULF(m, com->y);
   const float h_2 = KSL_MULF(m, com->z);
@@ -22604,12 +23702,86 @@ static inline void ksl_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
   Bo->yz = Bo_9;
 }
 
+/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
+     a number where m = 0.
+   J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+     kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+     xz, yz in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
+    ksl_spatial_inertiaf_t *Bo) {
+  const float c_0 = J->mt.x / J->m;
+  const float c_1 = J->mt.y / J->m;
+  const float c_2 = J->mt.z / J->m;
+  const float squares_0 = KSL_MULF(J->mt.x, c_0);
+  const float squares_1 = KSL_MULF(J->mt.y, c_1);
+  const float squares_2 = KSL_MULF(J->mt.z, c_2);
+  const float Bo_4a = squares_1 + squares_2, Bo_4 = J->Ixx + Bo_4a;
+  const float Bo_5a = squares_0 + squares_2, Bo_5 = J->Iyy + Bo_5a;
+  const float Bo_6a = squares_0 + squares_1, Bo_6 = J->Izz + Bo_6a;
+  const float Bo_7a = KSL_MULF(J->mt.x, c_1), Bo_7 = J->Ixy - Bo_7a;
+  const float Bo_8a = KSL_MULF(J->mt.x, c_2), Bo_8 = J->Izx - Bo_8a;
+  const float Bo_9a = KSL_MULF(J->mt.y, c_2), Bo_9 = J->Iyz - Bo_9a;
+  const float J_m = J->m;
+  const float J_mt_x = J->mt.x;
+  const float J_mt_y = J->mt.y;
+  const float J_mt_z = J->mt.z;
+  Bo->m = J_m;
+  Bo->h.x = J_mt_x;
+  Bo->h.y = J_mt_y;
+  Bo->h.z = J_mt_z;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+}
+
+/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
+     a number where m = 0.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
+     yz, zx in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_t *B,
+    ksl_inertiaf_t *Jo) {
+  const float c_0 = B->h.x / B->m;
+  const float c_1 = B->h.y / B->m;
+  const float c_2 = B->h.z / B->m;
+  const float squares_0 = KSL_MULF(B->h.x, c_0);
+  const float squares_1 = KSL_MULF(B->h.y, c_1);
+  const float squares_2 = KSL_MULF(B->h.z, c_2);
+  const float Jo_4a = squares_1 + squares_2, Jo_4 = B->xx - Jo_4a;
+  const float Jo_5a = squares_0 + squares_2, Jo_5 = B->yy - Jo_5a;
+  const float Jo_6a = squares_0 + squares_1, Jo_6 = B->zz - Jo_6a;
+  const float Jo_7a = KSL_MULF(B->h.x, c_1), Jo_7 = Jo_7a + B->xy;
+  const float Jo_8a = KSL_MULF(B->h.y, c_2), Jo_8 = Jo_8a + B->yz;
+  const float Jo_9a = KSL_MULF(B->h.x, c_2), Jo_9 = Jo_9a + B->xz;
+  const float B_m = B->m;
+  const float B_h_x = B->h.x;
+  const float B_h_y = B->h.y;
+  const float B_h_z = B->h.z;
+  Jo->m = B_m;
+  Jo->mt.x = B_h_x;
+  Jo->mt.y = B_h_y;
+  Jo->mt.z = B_h_z;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+}
+
 /* vo = h / m, the centre of mass in m.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); vo: vector.
    3 div.
    Error <= u |result|, barring over- and underflow. */
-static inline void ksl_inertiaf_com(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
+static inline void ksl_spatial_inertiaf_com(const ksl_spatial_inertiaf_t *B, ksl_vec3f_t *vo) {
   const float vo_0 = B->h.x / B->m;
   const float vo_1 = B->h.y / B->m;
   const float vo_2 = B->h.z / B->m;
@@ -22622,7 +23794,8 @@ static inline void ksl_inertiaf_com(const ksl_inertiaf_t *B, ksl_vec3f_t *vo) {
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 div. */
-static inline void ksl_inertiaf_about_com(const ksl_inertiaf_t *B, ksl_mat3x3f_t *Ro) {
+static inline void ksl_spatial_inertiaf_about_com(const ksl_spatial_inertiaf_t *B,
+    ksl_mat3x3f_t *Ro) {
   const float c_0 = B->h.x / B->m;
   const float c_1 = B->h.y / B->m;
   const float c_2 = B->h.z / B->m;
@@ -22651,7 +23824,7 @@ static inline void ksl_inertiaf_about_com(const ksl_inertiaf_t *B, ksl_mat3x3f_t
      m^2); Mo: 6×6 operator.
    3 neg.
    Exact. */
-static inline void ksl_inertiaf_matrix(const ksl_inertiaf_t *B, ksl_mat6x6f_t *Mo) {
+static inline void ksl_spatial_inertiaf_matrix(const ksl_spatial_inertiaf_t *B, ksl_mat6x6f_t *Mo) {
   const float Mo_05 = -B->h.y;
   const float Mo_13 = -B->h.z;
   const float Mo_24 = -B->h.x;
@@ -22709,7 +23882,7 @@ static inline void ksl_inertiaf_matrix(const ksl_inertiaf_t *B, ksl_mat6x6f_t *M
    24 mul, 18 add.
    Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
-static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
+static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
   const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
       co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
@@ -22743,7 +23916,8 @@ static inline void ksl_product_Bsf(const ksl_inertiaf_t *B, const ksl_screwf_t *
    28 mul, 17 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
-static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screwf_t *s) {
+static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s) {
   const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
@@ -22776,8 +23950,8 @@ static inline float ksl_inertiaf_energy(const ksl_inertiaf_t *B, const ksl_screw
    18 mul, 18 add.
    Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
-    ksl_inertiaf_t *Bo) {
+static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
   const float mt_0 = KSL_MULF(t->x, B->m);
   const float mt_1 = KSL_MULF(t->y, B->m);
   const float mt_2 = KSL_MULF(t->z, B->m);
@@ -22830,8 +24004,8 @@ static inline void ksl_inertiaf_shifted(const ksl_vec3f_t *t, const ksl_inertiaf
    72 mul, 54 add.
    Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
-static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inertiaf_t *B,
-    ksl_inertiaf_t *Bo) {
+static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
   const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
       RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
   const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
@@ -22928,7 +24102,7 @@ static inline void ksl_inertiaf_transformed(const ksl_SE3f_t *D, const ksl_inert
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
-static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
+static inline float ksl_spatial_inertiaf_consistency(const ksl_spatial_inertiaf_t *B) {
   const float trace_a = KSL_MULF(0.5f, B->xx), trace_b = KSL_MULF(0.5f, B->yy),
       trace_c = trace_a + trace_b, trace_d = KSL_MULF(0.5f, B->zz), trace = trace_c + trace_d;
   const float sigma_0 = trace - B->xx;
@@ -22968,16 +24142,16 @@ static inline float ksl_inertiaf_consistency(const ksl_inertiaf_t *B) {
 #ifndef KSL_NO_ALLOC
 #include <stdlib.h>
 
-/* n ksl_inertia_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
-     is no memory. */
-static inline ksl_inertia_t *ksl_inertia_alloc(int n) {
-  return n > 0 ? (ksl_inertia_t *)calloc((size_t)n, sizeof(ksl_inertia_t)) : NULL;
+/* n ksl_spatial_inertia_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when
+     there is no memory. */
+static inline ksl_spatial_inertia_t *ksl_spatial_inertia_alloc(int n) {
+  return n > 0 ? (ksl_spatial_inertia_t *)calloc((size_t)n, sizeof(ksl_spatial_inertia_t)) : NULL;
 }
 
-/* n ksl_inertiaf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or when there
-     is no memory. */
-static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
-  return n > 0 ? (ksl_inertiaf_t *)calloc((size_t)n, sizeof(ksl_inertiaf_t)) : NULL;
+/* n ksl_spatial_inertiaf_t on the heap, zeros, to be freed by the caller; NULL for n <= 0 or
+     when there is no memory. */
+static inline ksl_spatial_inertiaf_t *ksl_spatial_inertiaf_alloc(int n) {
+  return n > 0 ? (ksl_spatial_inertiaf_t *)calloc((size_t)n, sizeof(ksl_spatial_inertiaf_t)) : NULL;
 }
 
 #endif

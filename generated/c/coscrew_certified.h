@@ -332,25 +332,57 @@ typedef union ksl_quaternionf_t {
   KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; double precision. */
 typedef union ksl_inertia_t {
+  KSL_VIEW { double at[10]; };
+  KSL_VIEW {
+    double m;
+    ksl_vec3_t mt;
+    double Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    double mass;
+    ksl_vec3_t mr;
+    double diagonal[3];
+    double Iyx, Izy, Ixz;
+  };
+} ksl_inertia_t;
+
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; single precision. */
+typedef union ksl_inertiaf_t {
+  KSL_VIEW { float at[10]; };
+  KSL_VIEW {
+    float m;
+    ksl_vec3f_t mt;
+    float Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    float mass;
+    ksl_vec3f_t mr;
+    float diagonal[3];
+    float Iyx, Izy, Ixz;
+  };
+} ksl_inertiaf_t;
+
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; double precision. */
+typedef union ksl_spatial_inertia_t {
   KSL_VIEW { double at[10]; };
   KSL_VIEW {
     double m;
     ksl_vec3_t h;
     double xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertia_t;
+} ksl_spatial_inertia_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; single precision. */
-typedef union ksl_inertiaf_t {
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; single precision. */
+typedef union ksl_spatial_inertiaf_t {
   KSL_VIEW { float at[10]; };
   KSL_VIEW {
     float m;
     ksl_vec3f_t h;
     float xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertiaf_t;
+} ksl_spatial_inertiaf_t;
 
 /* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
    of the body as the turns before have left it. */
@@ -17483,18 +17515,1545 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
 
 #endif
 
-/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+/* Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
    Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_INERTIA_CERTIFIED_H
 #define KSL_INERTIA_CERTIFIED_H
+
+
+/* J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+     moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
+     NaN.
+   m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J_bound: inertia (m in kg; mt = m c in kg
+     m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2).
+   6 mul, 3 add, 3 abs. */
+static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3_t t,
+    const double Ixx, const double Iyy, const double Izz, const double Ixy,
+    const double Iyz, const double Izx, ksl_inertia_t *J_bound) {
+  const double J_1 = KSL_MUL(m, t.x);
+  const double J_2 = KSL_MUL(m, t.y);
+  const double J_3 = KSL_MUL(m, t.z);
+  const double J_1_abs = fabs(J_1), J_1_padded = J_1_abs + 2.004168360008973e-292,
+      J_1_error_bound = KSL_MUL(1.1102230246251568e-16, J_1_padded);
+  const double J_2_abs = fabs(J_2), J_2_padded = J_2_abs + 2.004168360008973e-292,
+      J_2_error_bound = KSL_MUL(1.1102230246251568e-16, J_2_padded);
+  const double J_3_abs = fabs(J_3), J_3_padded = J_3_abs + 2.004168360008973e-292,
+      J_3_error_bound = KSL_MUL(1.1102230246251568e-16, J_3_padded);
+  ksl_inertia_t J;
+  J.m = m;
+  J.mt.x = J_1;
+  J.mt.y = J_2;
+  J.mt.z = J_3;
+  J.Ixx = Ixx;
+  J.Iyy = Iyy;
+  J.Izz = Izz;
+  J.Ixy = Ixy;
+  J.Iyz = Iyz;
+  J.Izx = Izx;
+  J_bound->m = 0.0;
+  J_bound->mt.x = J_1_error_bound;
+  J_bound->mt.y = J_2_error_bound;
+  J_bound->mt.z = J_3_error_bound;
+  J_bound->Ixx = 0.0;
+  J_bound->Iyy = 0.0;
+  J_bound->Izz = 0.0;
+  J_bound->Ixy = 0.0;
+  J_bound->Iyz = 0.0;
+  J_bound->Izx = 0.0;
+  return J;
+}
+
+/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+   81 mul, 90 add, 45 abs. */
+static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const ksl_mat3x3_t *R,
+    ksl_inertia_t *Jo, ksl_inertia_t *Jo_bound) {
+  const double RI_0a = KSL_MUL(Ji->Ixx, R->m00), RI_0b = KSL_MUL(Ji->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(Ji->Iyy, R->m01), RI_1b = KSL_MUL(Ji->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(Ji->Izz, R->m02), RI_2b = KSL_MUL(Ji->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(Ji->Ixx, R->m10), RI_3b = KSL_MUL(Ji->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(Ji->Iyy, R->m11), RI_4b = KSL_MUL(Ji->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(Ji->Izz, R->m12), RI_5b = KSL_MUL(Ji->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(Ji->Ixx, R->m20), RI_6b = KSL_MUL(Ji->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(Ji->Iyy, R->m21), RI_7b = KSL_MUL(Ji->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(Ji->Izz, R->m22), RI_8b = KSL_MUL(Ji->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const double Jo_1a = KSL_MUL(Ji->mt.x, R->m00), Jo_1b = KSL_MUL(Ji->mt.y, R->m01),
+      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MUL(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+  const double Jo_2a = KSL_MUL(Ji->mt.x, R->m10), Jo_2b = KSL_MUL(Ji->mt.y, R->m11),
+      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MUL(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+  const double Jo_3a = KSL_MUL(Ji->mt.x, R->m20), Jo_3b = KSL_MUL(Ji->mt.y, R->m21),
+      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
+  const double Jo_4a = KSL_MUL(R->m00, RI_0), Jo_4b = KSL_MUL(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MUL(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const double Jo_5a = KSL_MUL(R->m10, RI_3), Jo_5b = KSL_MUL(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MUL(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const double Jo_6a = KSL_MUL(R->m20, RI_6), Jo_6b = KSL_MUL(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MUL(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const double Jo_7a = KSL_MUL(R->m10, RI_0), Jo_7b = KSL_MUL(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MUL(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const double Jo_8a = KSL_MUL(R->m20, RI_3), Jo_8b = KSL_MUL(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MUL(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const double Jo_9a = KSL_MUL(R->m20, RI_0), Jo_9b = KSL_MUL(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MUL(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double Jo_1a_abs = fabs(Jo_1a), Jo_1b_abs = fabs(Jo_1b), Jo_1c_size = Jo_1a_abs + Jo_1b_abs,
+      Jo_1d_abs = fabs(Jo_1d), Jo_1_size = Jo_1c_size + Jo_1d_abs;
+  const double Jo_2a_abs = fabs(Jo_2a), Jo_2b_abs = fabs(Jo_2b), Jo_2c_size = Jo_2a_abs + Jo_2b_abs,
+      Jo_2d_abs = fabs(Jo_2d), Jo_2_size = Jo_2c_size + Jo_2d_abs;
+  const double Jo_3a_abs = fabs(Jo_3a), Jo_3b_abs = fabs(Jo_3b), Jo_3c_size = Jo_3a_abs + Jo_3b_abs,
+      Jo_3d_abs = fabs(Jo_3d), Jo_3_size = Jo_3c_size + Jo_3d_abs;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double R_00_abs = fabs(R->m00), Jo_4a_size = KSL_MUL(R_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double R_01_abs = fabs(R->m01), Jo_4b_size = KSL_MUL(R_01_abs, RI_1_padded),
+      Jo_4c_size = Jo_4a_size + Jo_4b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double R_02_abs = fabs(R->m02), Jo_4d_size = KSL_MUL(R_02_abs, RI_2_padded),
+      Jo_4_size = Jo_4c_size + Jo_4d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double R_10_abs = fabs(R->m10), Jo_5a_size = KSL_MUL(R_10_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double R_11_abs = fabs(R->m11), Jo_5b_size = KSL_MUL(R_11_abs, RI_4_padded),
+      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double R_12_abs = fabs(R->m12), Jo_5d_size = KSL_MUL(R_12_abs, RI_5_padded),
+      Jo_5_size = Jo_5c_size + Jo_5d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double R_20_abs = fabs(R->m20), Jo_6a_size = KSL_MUL(R_20_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double R_21_abs = fabs(R->m21), Jo_6b_size = KSL_MUL(R_21_abs, RI_7_padded),
+      Jo_6c_size = Jo_6a_size + Jo_6b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double R_22_abs = fabs(R->m22), Jo_6d_size = KSL_MUL(R_22_abs, RI_8_padded),
+      Jo_6_size = Jo_6c_size + Jo_6d_size;
+  const double Jo_7a_size = KSL_MUL(R_10_abs, RI_0_padded),
+      Jo_7b_size = KSL_MUL(R_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
+      Jo_7d_size = KSL_MUL(R_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
+  const double Jo_8a_size = KSL_MUL(R_20_abs, RI_3_padded),
+      Jo_8b_size = KSL_MUL(R_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
+      Jo_8d_size = KSL_MUL(R_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
+  const double Jo_9a_size = KSL_MUL(R_20_abs, RI_0_padded),
+      Jo_9b_size = KSL_MUL(R_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
+      Jo_9d_size = KSL_MUL(R_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
+  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
+      Jo_1_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_1_padded);
+  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
+      Jo_2_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_2_padded);
+  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
+      Jo_3_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_3_padded);
+  const double Jo_4_padded = Jo_4_size + 2.004168360008973e-292,
+      Jo_4_error_bound = KSL_MUL(6.661338147750942e-16, Jo_4_padded);
+  const double Jo_5_padded = Jo_5_size + 2.004168360008973e-292,
+      Jo_5_error_bound = KSL_MUL(6.661338147750942e-16, Jo_5_padded);
+  const double Jo_6_padded = Jo_6_size + 2.004168360008973e-292,
+      Jo_6_error_bound = KSL_MUL(6.661338147750942e-16, Jo_6_padded);
+  const double Jo_7_padded = Jo_7_size + 2.004168360008973e-292,
+      Jo_7_error_bound = KSL_MUL(6.661338147750942e-16, Jo_7_padded);
+  const double Jo_8_padded = Jo_8_size + 2.004168360008973e-292,
+      Jo_8_error_bound = KSL_MUL(6.661338147750942e-16, Jo_8_padded);
+  const double Jo_9_padded = Jo_9_size + 2.004168360008973e-292,
+      Jo_9_error_bound = KSL_MUL(6.661338147750942e-16, Jo_9_padded);
+  const double Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+  Jo_bound->m = 0.0;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = Jo_4_error_bound;
+  Jo_bound->Iyy = Jo_5_error_bound;
+  Jo_bound->Izz = Jo_6_error_bound;
+  Jo_bound->Ixy = Jo_7_error_bound;
+  Jo_bound->Iyz = Jo_8_error_bound;
+  Jo_bound->Izx = Jo_9_error_bound;
+}
+
+/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+   81 mul, 90 add, 45 abs. */
+static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_mat3x3_t *R,
+    ksl_inertia_t *self_bound) {
+  const double RI_0a = KSL_MUL(self->Ixx, R->m00), RI_0b = KSL_MUL(self->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(self->Iyy, R->m01), RI_1b = KSL_MUL(self->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(self->Izz, R->m02), RI_2b = KSL_MUL(self->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(self->Ixx, R->m10), RI_3b = KSL_MUL(self->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(self->Iyy, R->m11), RI_4b = KSL_MUL(self->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(self->Izz, R->m12), RI_5b = KSL_MUL(self->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(self->Ixx, R->m20), RI_6b = KSL_MUL(self->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(self->Iyy, R->m21), RI_7b = KSL_MUL(self->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(self->Izz, R->m22), RI_8b = KSL_MUL(self->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const double self_1_new_a = KSL_MUL(self->mt.x, R->m00),
+      self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
+      self_1_new_d = KSL_MUL(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+  const double self_2_new_a = KSL_MUL(self->mt.x, R->m10),
+      self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
+      self_2_new_d = KSL_MUL(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+  const double self_3_new_a = KSL_MUL(self->mt.x, R->m20),
+      self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
+      self_3_new_d = KSL_MUL(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
+  const double self_4_new_a = KSL_MUL(R->m00, RI_0), self_4_new_b = KSL_MUL(R->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(R->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const double self_5_new_a = KSL_MUL(R->m10, RI_3), self_5_new_b = KSL_MUL(R->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(R->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const double self_6_new_a = KSL_MUL(R->m20, RI_6), self_6_new_b = KSL_MUL(R->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(R->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const double self_7_new_a = KSL_MUL(R->m10, RI_0), self_7_new_b = KSL_MUL(R->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(R->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const double self_8_new_a = KSL_MUL(R->m20, RI_3), self_8_new_b = KSL_MUL(R->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(R->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const double self_9_new_a = KSL_MUL(R->m20, RI_0), self_9_new_b = KSL_MUL(R->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(R->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double self_1_new_a_abs = fabs(self_1_new_a), self_1_new_b_abs = fabs(self_1_new_b),
+      self_1_new_c_size = self_1_new_a_abs + self_1_new_b_abs,
+      self_1_new_d_abs = fabs(self_1_new_d), self_1_new_size = self_1_new_c_size + self_1_new_d_abs;
+  const double self_2_new_a_abs = fabs(self_2_new_a), self_2_new_b_abs = fabs(self_2_new_b),
+      self_2_new_c_size = self_2_new_a_abs + self_2_new_b_abs,
+      self_2_new_d_abs = fabs(self_2_new_d), self_2_new_size = self_2_new_c_size + self_2_new_d_abs;
+  const double self_3_new_a_abs = fabs(self_3_new_a), self_3_new_b_abs = fabs(self_3_new_b),
+      self_3_new_c_size = self_3_new_a_abs + self_3_new_b_abs,
+      self_3_new_d_abs = fabs(self_3_new_d), self_3_new_size = self_3_new_c_size + self_3_new_d_abs;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double R_00_abs = fabs(R->m00), self_4_new_a_size = KSL_MUL(R_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double R_01_abs = fabs(R->m01), self_4_new_b_size = KSL_MUL(R_01_abs, RI_1_padded),
+      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double R_02_abs = fabs(R->m02), self_4_new_d_size = KSL_MUL(R_02_abs, RI_2_padded),
+      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double R_10_abs = fabs(R->m10), self_5_new_a_size = KSL_MUL(R_10_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double R_11_abs = fabs(R->m11), self_5_new_b_size = KSL_MUL(R_11_abs, RI_4_padded),
+      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double R_12_abs = fabs(R->m12), self_5_new_d_size = KSL_MUL(R_12_abs, RI_5_padded),
+      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double R_20_abs = fabs(R->m20), self_6_new_a_size = KSL_MUL(R_20_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double R_21_abs = fabs(R->m21), self_6_new_b_size = KSL_MUL(R_21_abs, RI_7_padded),
+      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double R_22_abs = fabs(R->m22), self_6_new_d_size = KSL_MUL(R_22_abs, RI_8_padded),
+      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
+  const double self_7_new_a_size = KSL_MUL(R_10_abs, RI_0_padded),
+      self_7_new_b_size = KSL_MUL(R_11_abs, RI_1_padded),
+      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
+      self_7_new_d_size = KSL_MUL(R_12_abs, RI_2_padded),
+      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
+  const double self_8_new_a_size = KSL_MUL(R_20_abs, RI_3_padded),
+      self_8_new_b_size = KSL_MUL(R_21_abs, RI_4_padded),
+      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
+      self_8_new_d_size = KSL_MUL(R_22_abs, RI_5_padded),
+      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
+  const double self_9_new_a_size = KSL_MUL(R_20_abs, RI_0_padded),
+      self_9_new_b_size = KSL_MUL(R_21_abs, RI_1_padded),
+      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
+      self_9_new_d_size = KSL_MUL(R_22_abs, RI_2_padded),
+      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
+  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
+      self_1_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_1_new_padded);
+  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
+      self_2_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_2_new_padded);
+  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
+      self_3_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_3_new_padded);
+  const double self_4_new_padded = self_4_new_size + 2.004168360008973e-292,
+      self_4_new_error_bound = KSL_MUL(6.661338147750942e-16, self_4_new_padded);
+  const double self_5_new_padded = self_5_new_size + 2.004168360008973e-292,
+      self_5_new_error_bound = KSL_MUL(6.661338147750942e-16, self_5_new_padded);
+  const double self_6_new_padded = self_6_new_size + 2.004168360008973e-292,
+      self_6_new_error_bound = KSL_MUL(6.661338147750942e-16, self_6_new_padded);
+  const double self_7_new_padded = self_7_new_size + 2.004168360008973e-292,
+      self_7_new_error_bound = KSL_MUL(6.661338147750942e-16, self_7_new_padded);
+  const double self_8_new_padded = self_8_new_size + 2.004168360008973e-292,
+      self_8_new_error_bound = KSL_MUL(6.661338147750942e-16, self_8_new_padded);
+  const double self_9_new_padded = self_9_new_size + 2.004168360008973e-292,
+      self_9_new_error_bound = KSL_MUL(6.661338147750942e-16, self_9_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+  self_bound->m = 0.0;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = self_4_new_error_bound;
+  self_bound->Iyy = self_5_new_error_bound;
+  self_bound->Izz = self_6_new_error_bound;
+  self_bound->Ixy = self_7_new_error_bound;
+  self_bound->Iyz = self_8_new_error_bound;
+  self_bound->Izx = self_9_new_error_bound;
+}
+
+/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); t: vector.
+   6 mul, 9 add, 6 abs. */
+static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, const ksl_vec3_t *t,
+    ksl_inertia_t *Jo, ksl_inertia_t *Jo_bound) {
+  const double Jo_1a = KSL_MUL(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
+  const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
+  const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const double Jo_1a_abs = fabs(Jo_1a), Ji_1_abs = fabs(Ji->mt.x), Jo_1_size = Jo_1a_abs + Ji_1_abs;
+  const double Jo_2a_abs = fabs(Jo_2a), Ji_2_abs = fabs(Ji->mt.y), Jo_2_size = Jo_2a_abs + Ji_2_abs;
+  const double Jo_3a_abs = fabs(Jo_3a), Ji_3_abs = fabs(Ji->mt.z), Jo_3_size = Jo_3a_abs + Ji_3_abs;
+  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
+      Jo_1_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_1_padded);
+  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
+      Jo_2_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_2_padded);
+  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
+      Jo_3_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_3_padded);
+  const double Ji_m = Ji->m;
+  const double Ji_Ixx = Ji->Ixx;
+  const double Ji_Iyy = Ji->Iyy;
+  const double Ji_Izz = Ji->Izz;
+  const double Ji_Ixy = Ji->Ixy;
+  const double Ji_Iyz = Ji->Iyz;
+  const double Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+  Jo_bound->m = 0.0;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = 0.0;
+  Jo_bound->Iyy = 0.0;
+  Jo_bound->Izz = 0.0;
+  Jo_bound->Ixy = 0.0;
+  Jo_bound->Iyz = 0.0;
+  Jo_bound->Izx = 0.0;
+}
+
+/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); t: vector.
+   6 mul, 9 add, 6 abs. */
+static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ksl_vec3_t *t,
+    ksl_inertia_t *self_bound) {
+  const double self_1_new_a = KSL_MUL(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
+  const double self_2_new_a = KSL_MUL(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
+  const double self_3_new_a = KSL_MUL(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  const double self_1_new_a_abs = fabs(self_1_new_a), self_1_abs = fabs(self->mt.x),
+      self_1_new_size = self_1_new_a_abs + self_1_abs;
+  const double self_2_new_a_abs = fabs(self_2_new_a), self_2_abs = fabs(self->mt.y),
+      self_2_new_size = self_2_new_a_abs + self_2_abs;
+  const double self_3_new_a_abs = fabs(self_3_new_a), self_3_abs = fabs(self->mt.z),
+      self_3_new_size = self_3_new_a_abs + self_3_abs;
+  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
+      self_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_1_new_padded);
+  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
+      self_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_2_new_padded);
+  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
+      self_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_3_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self_bound->m = 0.0;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = 0.0;
+  self_bound->Iyy = 0.0;
+  self_bound->Izz = 0.0;
+  self_bound->Ixy = 0.0;
+  self_bound->Iyz = 0.0;
+  self_bound->Izx = 0.0;
+}
+
+/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
+     NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   84 mul, 96 add, 48 abs. */
+static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, const ksl_SE3_t *D,
+    ksl_inertia_t *Jo, ksl_inertia_t *Jo_bound) {
+  const double RI_0a = KSL_MUL(Ji->Ixx, D->m00), RI_0b = KSL_MUL(Ji->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(Ji->Iyy, D->m01), RI_1b = KSL_MUL(Ji->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(Ji->Izz, D->m02), RI_2b = KSL_MUL(Ji->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(Ji->Ixx, D->m10), RI_3b = KSL_MUL(Ji->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(Ji->Iyy, D->m11), RI_4b = KSL_MUL(Ji->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(Ji->Izz, D->m12), RI_5b = KSL_MUL(Ji->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(Ji->Ixx, D->m20), RI_6b = KSL_MUL(Ji->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(Ji->Iyy, D->m21), RI_7b = KSL_MUL(Ji->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(Ji->Izz, D->m22), RI_8b = KSL_MUL(Ji->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const double Jo_1a = KSL_MUL(Ji->m, D->m03), Jo_1b = KSL_MUL(Ji->mt.x, D->m00),
+      Jo_1c = KSL_MUL(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MUL(Ji->mt.z, D->m02),
+      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+  const double Jo_2a = KSL_MUL(Ji->m, D->m13), Jo_2b = KSL_MUL(Ji->mt.x, D->m10),
+      Jo_2c = KSL_MUL(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MUL(Ji->mt.z, D->m12),
+      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+  const double Jo_3a = KSL_MUL(Ji->m, D->m23), Jo_3b = KSL_MUL(Ji->mt.x, D->m20),
+      Jo_3c = KSL_MUL(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MUL(Ji->mt.z, D->m22),
+      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const double Jo_4a = KSL_MUL(D->m00, RI_0), Jo_4b = KSL_MUL(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MUL(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const double Jo_5a = KSL_MUL(D->m10, RI_3), Jo_5b = KSL_MUL(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MUL(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const double Jo_6a = KSL_MUL(D->m20, RI_6), Jo_6b = KSL_MUL(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MUL(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const double Jo_7a = KSL_MUL(D->m10, RI_0), Jo_7b = KSL_MUL(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MUL(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const double Jo_8a = KSL_MUL(D->m20, RI_3), Jo_8b = KSL_MUL(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MUL(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const double Jo_9a = KSL_MUL(D->m20, RI_0), Jo_9b = KSL_MUL(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MUL(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double Jo_1b_abs = fabs(Jo_1b), Jo_1c_abs = fabs(Jo_1c), Jo_1d_size = Jo_1b_abs + Jo_1c_abs,
+      Jo_1e_abs = fabs(Jo_1e), Jo_1f_size = Jo_1d_size + Jo_1e_abs, Jo_1a_abs = fabs(Jo_1a),
+      Jo_1_size = Jo_1a_abs + Jo_1f_size;
+  const double Jo_2b_abs = fabs(Jo_2b), Jo_2c_abs = fabs(Jo_2c), Jo_2d_size = Jo_2b_abs + Jo_2c_abs,
+      Jo_2e_abs = fabs(Jo_2e), Jo_2f_size = Jo_2d_size + Jo_2e_abs, Jo_2a_abs = fabs(Jo_2a),
+      Jo_2_size = Jo_2a_abs + Jo_2f_size;
+  const double Jo_3b_abs = fabs(Jo_3b), Jo_3c_abs = fabs(Jo_3c), Jo_3d_size = Jo_3b_abs + Jo_3c_abs,
+      Jo_3e_abs = fabs(Jo_3e), Jo_3f_size = Jo_3d_size + Jo_3e_abs, Jo_3a_abs = fabs(Jo_3a),
+      Jo_3_size = Jo_3a_abs + Jo_3f_size;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double D_00_abs = fabs(D->m00), Jo_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double D_01_abs = fabs(D->m01), Jo_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
+      Jo_4c_size = Jo_4a_size + Jo_4b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double D_02_abs = fabs(D->m02), Jo_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
+      Jo_4_size = Jo_4c_size + Jo_4d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double D_10_abs = fabs(D->m10), Jo_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double D_11_abs = fabs(D->m11), Jo_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
+      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double D_12_abs = fabs(D->m12), Jo_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
+      Jo_5_size = Jo_5c_size + Jo_5d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double D_20_abs = fabs(D->m20), Jo_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double D_21_abs = fabs(D->m21), Jo_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
+      Jo_6c_size = Jo_6a_size + Jo_6b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double D_22_abs = fabs(D->m22), Jo_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
+      Jo_6_size = Jo_6c_size + Jo_6d_size;
+  const double Jo_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
+      Jo_7b_size = KSL_MUL(D_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
+      Jo_7d_size = KSL_MUL(D_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
+  const double Jo_8a_size = KSL_MUL(D_20_abs, RI_3_padded),
+      Jo_8b_size = KSL_MUL(D_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
+      Jo_8d_size = KSL_MUL(D_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
+  const double Jo_9a_size = KSL_MUL(D_20_abs, RI_0_padded),
+      Jo_9b_size = KSL_MUL(D_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
+      Jo_9d_size = KSL_MUL(D_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
+  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
+      Jo_1_error_bound = KSL_MUL(4.440892098500628e-16, Jo_1_padded);
+  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
+      Jo_2_error_bound = KSL_MUL(4.440892098500628e-16, Jo_2_padded);
+  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
+      Jo_3_error_bound = KSL_MUL(4.440892098500628e-16, Jo_3_padded);
+  const double Jo_4_padded = Jo_4_size + 2.004168360008973e-292,
+      Jo_4_error_bound = KSL_MUL(6.661338147750942e-16, Jo_4_padded);
+  const double Jo_5_padded = Jo_5_size + 2.004168360008973e-292,
+      Jo_5_error_bound = KSL_MUL(6.661338147750942e-16, Jo_5_padded);
+  const double Jo_6_padded = Jo_6_size + 2.004168360008973e-292,
+      Jo_6_error_bound = KSL_MUL(6.661338147750942e-16, Jo_6_padded);
+  const double Jo_7_padded = Jo_7_size + 2.004168360008973e-292,
+      Jo_7_error_bound = KSL_MUL(6.661338147750942e-16, Jo_7_padded);
+  const double Jo_8_padded = Jo_8_size + 2.004168360008973e-292,
+      Jo_8_error_bound = KSL_MUL(6.661338147750942e-16, Jo_8_padded);
+  const double Jo_9_padded = Jo_9_size + 2.004168360008973e-292,
+      Jo_9_error_bound = KSL_MUL(6.661338147750942e-16, Jo_9_padded);
+  const double Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+  Jo_bound->m = 0.0;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = Jo_4_error_bound;
+  Jo_bound->Iyy = Jo_5_error_bound;
+  Jo_bound->Izz = Jo_6_error_bound;
+  Jo_bound->Ixy = Jo_7_error_bound;
+  Jo_bound->Iyz = Jo_8_error_bound;
+  Jo_bound->Izx = Jo_9_error_bound;
+}
+
+/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
+     inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   84 mul, 96 add, 48 abs. */
+static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ksl_SE3_t *D,
+    ksl_inertia_t *self_bound) {
+  const double RI_0a = KSL_MUL(self->Ixx, D->m00), RI_0b = KSL_MUL(self->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(self->Iyy, D->m01), RI_1b = KSL_MUL(self->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(self->Izz, D->m02), RI_2b = KSL_MUL(self->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(self->Ixx, D->m10), RI_3b = KSL_MUL(self->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(self->Iyy, D->m11), RI_4b = KSL_MUL(self->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(self->Izz, D->m12), RI_5b = KSL_MUL(self->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(self->Ixx, D->m20), RI_6b = KSL_MUL(self->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(self->Iyy, D->m21), RI_7b = KSL_MUL(self->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(self->Izz, D->m22), RI_8b = KSL_MUL(self->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const double self_1_new_a = KSL_MUL(self->m, D->m03), self_1_new_b = KSL_MUL(self->mt.x, D->m00),
+      self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
+      self_1_new_e = KSL_MUL(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
+      self_1_new = self_1_new_a + self_1_new_f;
+  const double self_2_new_a = KSL_MUL(self->m, D->m13), self_2_new_b = KSL_MUL(self->mt.x, D->m10),
+      self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
+      self_2_new_e = KSL_MUL(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
+      self_2_new = self_2_new_a + self_2_new_f;
+  const double self_3_new_a = KSL_MUL(self->m, D->m23), self_3_new_b = KSL_MUL(self->mt.x, D->m20),
+      self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
+      self_3_new_e = KSL_MUL(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
+      self_3_new = self_3_new_a + self_3_new_f;
+  const double self_4_new_a = KSL_MUL(D->m00, RI_0), self_4_new_b = KSL_MUL(D->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(D->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const double self_5_new_a = KSL_MUL(D->m10, RI_3), self_5_new_b = KSL_MUL(D->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(D->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const double self_6_new_a = KSL_MUL(D->m20, RI_6), self_6_new_b = KSL_MUL(D->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(D->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const double self_7_new_a = KSL_MUL(D->m10, RI_0), self_7_new_b = KSL_MUL(D->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(D->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const double self_8_new_a = KSL_MUL(D->m20, RI_3), self_8_new_b = KSL_MUL(D->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(D->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const double self_9_new_a = KSL_MUL(D->m20, RI_0), self_9_new_b = KSL_MUL(D->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(D->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double self_1_new_b_abs = fabs(self_1_new_b), self_1_new_c_abs = fabs(self_1_new_c),
+      self_1_new_d_size = self_1_new_b_abs + self_1_new_c_abs,
+      self_1_new_e_abs = fabs(self_1_new_e),
+      self_1_new_f_size = self_1_new_d_size + self_1_new_e_abs,
+      self_1_new_a_abs = fabs(self_1_new_a), self_1_new_size = self_1_new_a_abs + self_1_new_f_size;
+  const double self_2_new_b_abs = fabs(self_2_new_b), self_2_new_c_abs = fabs(self_2_new_c),
+      self_2_new_d_size = self_2_new_b_abs + self_2_new_c_abs,
+      self_2_new_e_abs = fabs(self_2_new_e),
+      self_2_new_f_size = self_2_new_d_size + self_2_new_e_abs,
+      self_2_new_a_abs = fabs(self_2_new_a), self_2_new_size = self_2_new_a_abs + self_2_new_f_size;
+  const double self_3_new_b_abs = fabs(self_3_new_b), self_3_new_c_abs = fabs(self_3_new_c),
+      self_3_new_d_size = self_3_new_b_abs + self_3_new_c_abs,
+      self_3_new_e_abs = fabs(self_3_new_e),
+      self_3_new_f_size = self_3_new_d_size + self_3_new_e_abs,
+      self_3_new_a_abs = fabs(self_3_new_a), self_3_new_size = self_3_new_a_abs + self_3_new_f_size;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double D_00_abs = fabs(D->m00), self_4_new_a_size = KSL_MUL(D_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double D_01_abs = fabs(D->m01), self_4_new_b_size = KSL_MUL(D_01_abs, RI_1_padded),
+      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double D_02_abs = fabs(D->m02), self_4_new_d_size = KSL_MUL(D_02_abs, RI_2_padded),
+      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double D_10_abs = fabs(D->m10), self_5_new_a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double D_11_abs = fabs(D->m11), self_5_new_b_size = KSL_MUL(D_11_abs, RI_4_padded),
+      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double D_12_abs = fabs(D->m12), self_5_new_d_size = KSL_MUL(D_12_abs, RI_5_padded),
+      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double D_20_abs = fabs(D->m20), self_6_new_a_size = KSL_MUL(D_20_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double D_21_abs = fabs(D->m21), self_6_new_b_size = KSL_MUL(D_21_abs, RI_7_padded),
+      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double D_22_abs = fabs(D->m22), self_6_new_d_size = KSL_MUL(D_22_abs, RI_8_padded),
+      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
+  const double self_7_new_a_size = KSL_MUL(D_10_abs, RI_0_padded),
+      self_7_new_b_size = KSL_MUL(D_11_abs, RI_1_padded),
+      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
+      self_7_new_d_size = KSL_MUL(D_12_abs, RI_2_padded),
+      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
+  const double self_8_new_a_size = KSL_MUL(D_20_abs, RI_3_padded),
+      self_8_new_b_size = KSL_MUL(D_21_abs, RI_4_padded),
+      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
+      self_8_new_d_size = KSL_MUL(D_22_abs, RI_5_padded),
+      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
+  const double self_9_new_a_size = KSL_MUL(D_20_abs, RI_0_padded),
+      self_9_new_b_size = KSL_MUL(D_21_abs, RI_1_padded),
+      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
+      self_9_new_d_size = KSL_MUL(D_22_abs, RI_2_padded),
+      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
+  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
+      self_1_new_error_bound = KSL_MUL(4.440892098500628e-16, self_1_new_padded);
+  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
+      self_2_new_error_bound = KSL_MUL(4.440892098500628e-16, self_2_new_padded);
+  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
+      self_3_new_error_bound = KSL_MUL(4.440892098500628e-16, self_3_new_padded);
+  const double self_4_new_padded = self_4_new_size + 2.004168360008973e-292,
+      self_4_new_error_bound = KSL_MUL(6.661338147750942e-16, self_4_new_padded);
+  const double self_5_new_padded = self_5_new_size + 2.004168360008973e-292,
+      self_5_new_error_bound = KSL_MUL(6.661338147750942e-16, self_5_new_padded);
+  const double self_6_new_padded = self_6_new_size + 2.004168360008973e-292,
+      self_6_new_error_bound = KSL_MUL(6.661338147750942e-16, self_6_new_padded);
+  const double self_7_new_padded = self_7_new_size + 2.004168360008973e-292,
+      self_7_new_error_bound = KSL_MUL(6.661338147750942e-16, self_7_new_padded);
+  const double self_8_new_padded = self_8_new_size + 2.004168360008973e-292,
+      self_8_new_error_bound = KSL_MUL(6.661338147750942e-16, self_8_new_padded);
+  const double self_9_new_padded = self_9_new_size + 2.004168360008973e-292,
+      self_9_new_error_bound = KSL_MUL(6.661338147750942e-16, self_9_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+  self_bound->m = 0.0;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = self_4_new_error_bound;
+  self_bound->Iyy = self_5_new_error_bound;
+  self_bound->Izz = self_6_new_error_bound;
+  self_bound->Ixy = self_7_new_error_bound;
+  self_bound->Iyz = self_8_new_error_bound;
+  self_bound->Izx = self_9_new_error_bound;
+}
+
+/* J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+     moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
+     NaN.
+   m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J_bound: inertia (m in kg; mt = m c in kg
+     m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2).
+   6 mul, 3 add, 3 abs. */
+static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec3f_t t,
+    const float Ixx, const float Iyy, const float Izz, const float Ixy,
+    const float Iyz, const float Izx, ksl_inertiaf_t *J_bound) {
+  const float J_1 = KSL_MULF(m, t.x);
+  const float J_2 = KSL_MULF(m, t.y);
+  const float J_3 = KSL_MULF(m, t.z);
+  const float J_1_abs = fabsf(J_1), J_1_padded = J_1_abs + 1.9721523e-31f,
+      J_1_error_bound = KSL_MULF(5.960465e-08f, J_1_padded);
+  const float J_2_abs = fabsf(J_2), J_2_padded = J_2_abs + 1.9721523e-31f,
+      J_2_error_bound = KSL_MULF(5.960465e-08f, J_2_padded);
+  const float J_3_abs = fabsf(J_3), J_3_padded = J_3_abs + 1.9721523e-31f,
+      J_3_error_bound = KSL_MULF(5.960465e-08f, J_3_padded);
+  ksl_inertiaf_t J;
+  J.m = m;
+  J.mt.x = J_1;
+  J.mt.y = J_2;
+  J.mt.z = J_3;
+  J.Ixx = Ixx;
+  J.Iyy = Iyy;
+  J.Izz = Izz;
+  J.Ixy = Ixy;
+  J.Iyz = Iyz;
+  J.Izx = Izx;
+  J_bound->m = 0.0f;
+  J_bound->mt.x = J_1_error_bound;
+  J_bound->mt.y = J_2_error_bound;
+  J_bound->mt.z = J_3_error_bound;
+  J_bound->Ixx = 0.0f;
+  J_bound->Iyy = 0.0f;
+  J_bound->Izz = 0.0f;
+  J_bound->Ixy = 0.0f;
+  J_bound->Iyz = 0.0f;
+  J_bound->Izx = 0.0f;
+  return J;
+}
+
+/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+   81 mul, 90 add, 45 abs. */
+static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
+    const ksl_mat3x3f_t *R, ksl_inertiaf_t *Jo, ksl_inertiaf_t *Jo_bound) {
+  const float RI_0a = KSL_MULF(Ji->Ixx, R->m00), RI_0b = KSL_MULF(Ji->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(Ji->Iyy, R->m01), RI_1b = KSL_MULF(Ji->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(Ji->Izz, R->m02), RI_2b = KSL_MULF(Ji->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(Ji->Ixx, R->m10), RI_3b = KSL_MULF(Ji->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(Ji->Iyy, R->m11), RI_4b = KSL_MULF(Ji->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(Ji->Izz, R->m12), RI_5b = KSL_MULF(Ji->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(Ji->Ixx, R->m20), RI_6b = KSL_MULF(Ji->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(Ji->Iyy, R->m21), RI_7b = KSL_MULF(Ji->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(Ji->Izz, R->m22), RI_8b = KSL_MULF(Ji->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const float Jo_1a = KSL_MULF(Ji->mt.x, R->m00), Jo_1b = KSL_MULF(Ji->mt.y, R->m01),
+      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MULF(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+  const float Jo_2a = KSL_MULF(Ji->mt.x, R->m10), Jo_2b = KSL_MULF(Ji->mt.y, R->m11),
+      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MULF(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+  const float Jo_3a = KSL_MULF(Ji->mt.x, R->m20), Jo_3b = KSL_MULF(Ji->mt.y, R->m21),
+      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
+  const float Jo_4a = KSL_MULF(R->m00, RI_0), Jo_4b = KSL_MULF(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MULF(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const float Jo_5a = KSL_MULF(R->m10, RI_3), Jo_5b = KSL_MULF(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MULF(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const float Jo_6a = KSL_MULF(R->m20, RI_6), Jo_6b = KSL_MULF(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MULF(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const float Jo_7a = KSL_MULF(R->m10, RI_0), Jo_7b = KSL_MULF(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MULF(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const float Jo_8a = KSL_MULF(R->m20, RI_3), Jo_8b = KSL_MULF(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MULF(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const float Jo_9a = KSL_MULF(R->m20, RI_0), Jo_9b = KSL_MULF(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MULF(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float Jo_1a_abs = fabsf(Jo_1a), Jo_1b_abs = fabsf(Jo_1b),
+      Jo_1c_size = Jo_1a_abs + Jo_1b_abs, Jo_1d_abs = fabsf(Jo_1d),
+      Jo_1_size = Jo_1c_size + Jo_1d_abs;
+  const float Jo_2a_abs = fabsf(Jo_2a), Jo_2b_abs = fabsf(Jo_2b),
+      Jo_2c_size = Jo_2a_abs + Jo_2b_abs, Jo_2d_abs = fabsf(Jo_2d),
+      Jo_2_size = Jo_2c_size + Jo_2d_abs;
+  const float Jo_3a_abs = fabsf(Jo_3a), Jo_3b_abs = fabsf(Jo_3b),
+      Jo_3c_size = Jo_3a_abs + Jo_3b_abs, Jo_3d_abs = fabsf(Jo_3d),
+      Jo_3_size = Jo_3c_size + Jo_3d_abs;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float R_00_abs = fabsf(R->m00), Jo_4a_size = KSL_MULF(R_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float R_01_abs = fabsf(R->m01), Jo_4b_size = KSL_MULF(R_01_abs, RI_1_padded),
+      Jo_4c_size = Jo_4a_size + Jo_4b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float R_02_abs = fabsf(R->m02), Jo_4d_size = KSL_MULF(R_02_abs, RI_2_padded),
+      Jo_4_size = Jo_4c_size + Jo_4d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float R_10_abs = fabsf(R->m10), Jo_5a_size = KSL_MULF(R_10_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float R_11_abs = fabsf(R->m11), Jo_5b_size = KSL_MULF(R_11_abs, RI_4_padded),
+      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float R_12_abs = fabsf(R->m12), Jo_5d_size = KSL_MULF(R_12_abs, RI_5_padded),
+      Jo_5_size = Jo_5c_size + Jo_5d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float R_20_abs = fabsf(R->m20), Jo_6a_size = KSL_MULF(R_20_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float R_21_abs = fabsf(R->m21), Jo_6b_size = KSL_MULF(R_21_abs, RI_7_padded),
+      Jo_6c_size = Jo_6a_size + Jo_6b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float R_22_abs = fabsf(R->m22), Jo_6d_size = KSL_MULF(R_22_abs, RI_8_padded),
+      Jo_6_size = Jo_6c_size + Jo_6d_size;
+  const float Jo_7a_size = KSL_MULF(R_10_abs, RI_0_padded),
+      Jo_7b_size = KSL_MULF(R_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
+      Jo_7d_size = KSL_MULF(R_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
+  const float Jo_8a_size = KSL_MULF(R_20_abs, RI_3_padded),
+      Jo_8b_size = KSL_MULF(R_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
+      Jo_8d_size = KSL_MULF(R_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
+  const float Jo_9a_size = KSL_MULF(R_20_abs, RI_0_padded),
+      Jo_9b_size = KSL_MULF(R_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
+      Jo_9d_size = KSL_MULF(R_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
+  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
+      Jo_1_error_bound = KSL_MULF(1.7881396e-07f, Jo_1_padded);
+  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
+      Jo_2_error_bound = KSL_MULF(1.7881396e-07f, Jo_2_padded);
+  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
+      Jo_3_error_bound = KSL_MULF(1.7881396e-07f, Jo_3_padded);
+  const float Jo_4_padded = Jo_4_size + 1.9721523e-31f,
+      Jo_4_error_bound = KSL_MULF(3.5762795e-07f, Jo_4_padded);
+  const float Jo_5_padded = Jo_5_size + 1.9721523e-31f,
+      Jo_5_error_bound = KSL_MULF(3.5762795e-07f, Jo_5_padded);
+  const float Jo_6_padded = Jo_6_size + 1.9721523e-31f,
+      Jo_6_error_bound = KSL_MULF(3.5762795e-07f, Jo_6_padded);
+  const float Jo_7_padded = Jo_7_size + 1.9721523e-31f,
+      Jo_7_error_bound = KSL_MULF(3.5762795e-07f, Jo_7_padded);
+  const float Jo_8_padded = Jo_8_size + 1.9721523e-31f,
+      Jo_8_error_bound = KSL_MULF(3.5762795e-07f, Jo_8_padded);
+  const float Jo_9_padded = Jo_9_size + 1.9721523e-31f,
+      Jo_9_error_bound = KSL_MULF(3.5762795e-07f, Jo_9_padded);
+  const float Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+  Jo_bound->m = 0.0f;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = Jo_4_error_bound;
+  Jo_bound->Iyy = Jo_5_error_bound;
+  Jo_bound->Izz = Jo_6_error_bound;
+  Jo_bound->Ixy = Jo_7_error_bound;
+  Jo_bound->Iyz = Jo_8_error_bound;
+  Jo_bound->Izx = Jo_9_error_bound;
+}
+
+/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+   81 mul, 90 add, 45 abs. */
+static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R,
+    ksl_inertiaf_t *self_bound) {
+  const float RI_0a = KSL_MULF(self->Ixx, R->m00), RI_0b = KSL_MULF(self->Ixy, R->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(self->Iyy, R->m01), RI_1b = KSL_MULF(self->Ixy, R->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(self->Izz, R->m02), RI_2b = KSL_MULF(self->Iyz, R->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(self->Ixx, R->m10), RI_3b = KSL_MULF(self->Ixy, R->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(self->Iyy, R->m11), RI_4b = KSL_MULF(self->Ixy, R->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(self->Izz, R->m12), RI_5b = KSL_MULF(self->Iyz, R->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(self->Ixx, R->m20), RI_6b = KSL_MULF(self->Ixy, R->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(self->Iyy, R->m21), RI_7b = KSL_MULF(self->Ixy, R->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(self->Izz, R->m22), RI_8b = KSL_MULF(self->Iyz, R->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+  const float self_1_new_a = KSL_MULF(self->mt.x, R->m00),
+      self_1_new_b = KSL_MULF(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
+      self_1_new_d = KSL_MULF(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+  const float self_2_new_a = KSL_MULF(self->mt.x, R->m10),
+      self_2_new_b = KSL_MULF(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
+      self_2_new_d = KSL_MULF(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+  const float self_3_new_a = KSL_MULF(self->mt.x, R->m20),
+      self_3_new_b = KSL_MULF(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
+      self_3_new_d = KSL_MULF(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
+  const float self_4_new_a = KSL_MULF(R->m00, RI_0), self_4_new_b = KSL_MULF(R->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(R->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const float self_5_new_a = KSL_MULF(R->m10, RI_3), self_5_new_b = KSL_MULF(R->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(R->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const float self_6_new_a = KSL_MULF(R->m20, RI_6), self_6_new_b = KSL_MULF(R->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(R->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const float self_7_new_a = KSL_MULF(R->m10, RI_0), self_7_new_b = KSL_MULF(R->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(R->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const float self_8_new_a = KSL_MULF(R->m20, RI_3), self_8_new_b = KSL_MULF(R->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(R->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const float self_9_new_a = KSL_MULF(R->m20, RI_0), self_9_new_b = KSL_MULF(R->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(R->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float self_1_new_a_abs = fabsf(self_1_new_a), self_1_new_b_abs = fabsf(self_1_new_b),
+      self_1_new_c_size = self_1_new_a_abs + self_1_new_b_abs,
+      self_1_new_d_abs = fabsf(self_1_new_d),
+      self_1_new_size = self_1_new_c_size + self_1_new_d_abs;
+  const float self_2_new_a_abs = fabsf(self_2_new_a), self_2_new_b_abs = fabsf(self_2_new_b),
+      self_2_new_c_size = self_2_new_a_abs + self_2_new_b_abs,
+      self_2_new_d_abs = fabsf(self_2_new_d),
+      self_2_new_size = self_2_new_c_size + self_2_new_d_abs;
+  const float self_3_new_a_abs = fabsf(self_3_new_a), self_3_new_b_abs = fabsf(self_3_new_b),
+      self_3_new_c_size = self_3_new_a_abs + self_3_new_b_abs,
+      self_3_new_d_abs = fabsf(self_3_new_d),
+      self_3_new_size = self_3_new_c_size + self_3_new_d_abs;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float R_00_abs = fabsf(R->m00), self_4_new_a_size = KSL_MULF(R_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float R_01_abs = fabsf(R->m01), self_4_new_b_size = KSL_MULF(R_01_abs, RI_1_padded),
+      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float R_02_abs = fabsf(R->m02), self_4_new_d_size = KSL_MULF(R_02_abs, RI_2_padded),
+      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float R_10_abs = fabsf(R->m10), self_5_new_a_size = KSL_MULF(R_10_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float R_11_abs = fabsf(R->m11), self_5_new_b_size = KSL_MULF(R_11_abs, RI_4_padded),
+      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float R_12_abs = fabsf(R->m12), self_5_new_d_size = KSL_MULF(R_12_abs, RI_5_padded),
+      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float R_20_abs = fabsf(R->m20), self_6_new_a_size = KSL_MULF(R_20_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float R_21_abs = fabsf(R->m21), self_6_new_b_size = KSL_MULF(R_21_abs, RI_7_padded),
+      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float R_22_abs = fabsf(R->m22), self_6_new_d_size = KSL_MULF(R_22_abs, RI_8_padded),
+      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
+  const float self_7_new_a_size = KSL_MULF(R_10_abs, RI_0_padded),
+      self_7_new_b_size = KSL_MULF(R_11_abs, RI_1_padded),
+      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
+      self_7_new_d_size = KSL_MULF(R_12_abs, RI_2_padded),
+      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
+  const float self_8_new_a_size = KSL_MULF(R_20_abs, RI_3_padded),
+      self_8_new_b_size = KSL_MULF(R_21_abs, RI_4_padded),
+      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
+      self_8_new_d_size = KSL_MULF(R_22_abs, RI_5_padded),
+      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
+  const float self_9_new_a_size = KSL_MULF(R_20_abs, RI_0_padded),
+      self_9_new_b_size = KSL_MULF(R_21_abs, RI_1_padded),
+      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
+      self_9_new_d_size = KSL_MULF(R_22_abs, RI_2_padded),
+      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
+  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
+      self_1_new_error_bound = KSL_MULF(1.7881396e-07f, self_1_new_padded);
+  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
+      self_2_new_error_bound = KSL_MULF(1.7881396e-07f, self_2_new_padded);
+  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
+      self_3_new_error_bound = KSL_MULF(1.7881396e-07f, self_3_new_padded);
+  const float self_4_new_padded = self_4_new_size + 1.9721523e-31f,
+      self_4_new_error_bound = KSL_MULF(3.5762795e-07f, self_4_new_padded);
+  const float self_5_new_padded = self_5_new_size + 1.9721523e-31f,
+      self_5_new_error_bound = KSL_MULF(3.5762795e-07f, self_5_new_padded);
+  const float self_6_new_padded = self_6_new_size + 1.9721523e-31f,
+      self_6_new_error_bound = KSL_MULF(3.5762795e-07f, self_6_new_padded);
+  const float self_7_new_padded = self_7_new_size + 1.9721523e-31f,
+      self_7_new_error_bound = KSL_MULF(3.5762795e-07f, self_7_new_padded);
+  const float self_8_new_padded = self_8_new_size + 1.9721523e-31f,
+      self_8_new_error_bound = KSL_MULF(3.5762795e-07f, self_8_new_padded);
+  const float self_9_new_padded = self_9_new_size + 1.9721523e-31f,
+      self_9_new_error_bound = KSL_MULF(3.5762795e-07f, self_9_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+  self_bound->m = 0.0f;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = self_4_new_error_bound;
+  self_bound->Iyy = self_5_new_error_bound;
+  self_bound->Izz = self_6_new_error_bound;
+  self_bound->Ixy = self_7_new_error_bound;
+  self_bound->Iyz = self_8_new_error_bound;
+  self_bound->Izx = self_9_new_error_bound;
+}
+
+/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); t: vector.
+   6 mul, 9 add, 6 abs. */
+static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
+    const ksl_vec3f_t *t, ksl_inertiaf_t *Jo, ksl_inertiaf_t *Jo_bound) {
+  const float Jo_1a = KSL_MULF(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
+  const float Jo_2a = KSL_MULF(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
+  const float Jo_3a = KSL_MULF(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const float Jo_1a_abs = fabsf(Jo_1a), Ji_1_abs = fabsf(Ji->mt.x),
+      Jo_1_size = Jo_1a_abs + Ji_1_abs;
+  const float Jo_2a_abs = fabsf(Jo_2a), Ji_2_abs = fabsf(Ji->mt.y),
+      Jo_2_size = Jo_2a_abs + Ji_2_abs;
+  const float Jo_3a_abs = fabsf(Jo_3a), Ji_3_abs = fabsf(Ji->mt.z),
+      Jo_3_size = Jo_3a_abs + Ji_3_abs;
+  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
+      Jo_1_error_bound = KSL_MULF(1.192093e-07f, Jo_1_padded);
+  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
+      Jo_2_error_bound = KSL_MULF(1.192093e-07f, Jo_2_padded);
+  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
+      Jo_3_error_bound = KSL_MULF(1.192093e-07f, Jo_3_padded);
+  const float Ji_m = Ji->m;
+  const float Ji_Ixx = Ji->Ixx;
+  const float Ji_Iyy = Ji->Iyy;
+  const float Ji_Izz = Ji->Izz;
+  const float Ji_Ixy = Ji->Ixy;
+  const float Ji_Iyz = Ji->Iyz;
+  const float Ji_Izx = Ji->Izx;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Ji_Ixx;
+  Jo->Iyy = Ji_Iyy;
+  Jo->Izz = Ji_Izz;
+  Jo->Ixy = Ji_Ixy;
+  Jo->Iyz = Ji_Iyz;
+  Jo->Izx = Ji_Izx;
+  Jo_bound->m = 0.0f;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = 0.0f;
+  Jo_bound->Iyy = 0.0f;
+  Jo_bound->Izz = 0.0f;
+  Jo_bound->Ixy = 0.0f;
+  Jo_bound->Iyz = 0.0f;
+  Jo_bound->Izx = 0.0f;
+}
+
+/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); t: vector.
+   6 mul, 9 add, 6 abs. */
+static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const ksl_vec3f_t *t,
+    ksl_inertiaf_t *self_bound) {
+  const float self_1_new_a = KSL_MULF(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
+  const float self_2_new_a = KSL_MULF(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
+  const float self_3_new_a = KSL_MULF(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  const float self_1_new_a_abs = fabsf(self_1_new_a), self_1_abs = fabsf(self->mt.x),
+      self_1_new_size = self_1_new_a_abs + self_1_abs;
+  const float self_2_new_a_abs = fabsf(self_2_new_a), self_2_abs = fabsf(self->mt.y),
+      self_2_new_size = self_2_new_a_abs + self_2_abs;
+  const float self_3_new_a_abs = fabsf(self_3_new_a), self_3_abs = fabsf(self->mt.z),
+      self_3_new_size = self_3_new_a_abs + self_3_abs;
+  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
+      self_1_new_error_bound = KSL_MULF(1.192093e-07f, self_1_new_padded);
+  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
+      self_2_new_error_bound = KSL_MULF(1.192093e-07f, self_2_new_padded);
+  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
+      self_3_new_error_bound = KSL_MULF(1.192093e-07f, self_3_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self_bound->m = 0.0f;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = 0.0f;
+  self_bound->Iyy = 0.0f;
+  self_bound->Izz = 0.0f;
+  self_bound->Ixy = 0.0f;
+  self_bound->Iyz = 0.0f;
+  self_bound->Izx = 0.0f;
+}
+
+/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
+     NaN.
+   Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   84 mul, 96 add, 48 abs. */
+static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
+    const ksl_SE3f_t *D, ksl_inertiaf_t *Jo, ksl_inertiaf_t *Jo_bound) {
+  const float RI_0a = KSL_MULF(Ji->Ixx, D->m00), RI_0b = KSL_MULF(Ji->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(Ji->Iyy, D->m01), RI_1b = KSL_MULF(Ji->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(Ji->Izz, D->m02), RI_2b = KSL_MULF(Ji->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(Ji->Ixx, D->m10), RI_3b = KSL_MULF(Ji->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(Ji->Iyy, D->m11), RI_4b = KSL_MULF(Ji->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(Ji->Izz, D->m12), RI_5b = KSL_MULF(Ji->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(Ji->Ixx, D->m20), RI_6b = KSL_MULF(Ji->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(Ji->Iyy, D->m21), RI_7b = KSL_MULF(Ji->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(Ji->Izz, D->m22), RI_8b = KSL_MULF(Ji->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const float Jo_1a = KSL_MULF(Ji->m, D->m03), Jo_1b = KSL_MULF(Ji->mt.x, D->m00),
+      Jo_1c = KSL_MULF(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MULF(Ji->mt.z, D->m02),
+      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+  const float Jo_2a = KSL_MULF(Ji->m, D->m13), Jo_2b = KSL_MULF(Ji->mt.x, D->m10),
+      Jo_2c = KSL_MULF(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MULF(Ji->mt.z, D->m12),
+      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+  const float Jo_3a = KSL_MULF(Ji->m, D->m23), Jo_3b = KSL_MULF(Ji->mt.x, D->m20),
+      Jo_3c = KSL_MULF(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MULF(Ji->mt.z, D->m22),
+      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const float Jo_4a = KSL_MULF(D->m00, RI_0), Jo_4b = KSL_MULF(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
+      Jo_4d = KSL_MULF(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
+  const float Jo_5a = KSL_MULF(D->m10, RI_3), Jo_5b = KSL_MULF(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
+      Jo_5d = KSL_MULF(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
+  const float Jo_6a = KSL_MULF(D->m20, RI_6), Jo_6b = KSL_MULF(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
+      Jo_6d = KSL_MULF(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
+  const float Jo_7a = KSL_MULF(D->m10, RI_0), Jo_7b = KSL_MULF(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
+      Jo_7d = KSL_MULF(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
+  const float Jo_8a = KSL_MULF(D->m20, RI_3), Jo_8b = KSL_MULF(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
+      Jo_8d = KSL_MULF(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
+  const float Jo_9a = KSL_MULF(D->m20, RI_0), Jo_9b = KSL_MULF(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
+      Jo_9d = KSL_MULF(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float Jo_1b_abs = fabsf(Jo_1b), Jo_1c_abs = fabsf(Jo_1c),
+      Jo_1d_size = Jo_1b_abs + Jo_1c_abs, Jo_1e_abs = fabsf(Jo_1e),
+      Jo_1f_size = Jo_1d_size + Jo_1e_abs, Jo_1a_abs = fabsf(Jo_1a),
+      Jo_1_size = Jo_1a_abs + Jo_1f_size;
+  const float Jo_2b_abs = fabsf(Jo_2b), Jo_2c_abs = fabsf(Jo_2c),
+      Jo_2d_size = Jo_2b_abs + Jo_2c_abs, Jo_2e_abs = fabsf(Jo_2e),
+      Jo_2f_size = Jo_2d_size + Jo_2e_abs, Jo_2a_abs = fabsf(Jo_2a),
+      Jo_2_size = Jo_2a_abs + Jo_2f_size;
+  const float Jo_3b_abs = fabsf(Jo_3b), Jo_3c_abs = fabsf(Jo_3c),
+      Jo_3d_size = Jo_3b_abs + Jo_3c_abs, Jo_3e_abs = fabsf(Jo_3e),
+      Jo_3f_size = Jo_3d_size + Jo_3e_abs, Jo_3a_abs = fabsf(Jo_3a),
+      Jo_3_size = Jo_3a_abs + Jo_3f_size;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float D_00_abs = fabsf(D->m00), Jo_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float D_01_abs = fabsf(D->m01), Jo_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
+      Jo_4c_size = Jo_4a_size + Jo_4b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float D_02_abs = fabsf(D->m02), Jo_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
+      Jo_4_size = Jo_4c_size + Jo_4d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float D_10_abs = fabsf(D->m10), Jo_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float D_11_abs = fabsf(D->m11), Jo_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
+      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float D_12_abs = fabsf(D->m12), Jo_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
+      Jo_5_size = Jo_5c_size + Jo_5d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float D_20_abs = fabsf(D->m20), Jo_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float D_21_abs = fabsf(D->m21), Jo_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
+      Jo_6c_size = Jo_6a_size + Jo_6b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float D_22_abs = fabsf(D->m22), Jo_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
+      Jo_6_size = Jo_6c_size + Jo_6d_size;
+  const float Jo_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
+      Jo_7b_size = KSL_MULF(D_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
+      Jo_7d_size = KSL_MULF(D_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
+  const float Jo_8a_size = KSL_MULF(D_20_abs, RI_3_padded),
+      Jo_8b_size = KSL_MULF(D_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
+      Jo_8d_size = KSL_MULF(D_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
+  const float Jo_9a_size = KSL_MULF(D_20_abs, RI_0_padded),
+      Jo_9b_size = KSL_MULF(D_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
+      Jo_9d_size = KSL_MULF(D_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
+  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
+      Jo_1_error_bound = KSL_MULF(2.3841864e-07f, Jo_1_padded);
+  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
+      Jo_2_error_bound = KSL_MULF(2.3841864e-07f, Jo_2_padded);
+  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
+      Jo_3_error_bound = KSL_MULF(2.3841864e-07f, Jo_3_padded);
+  const float Jo_4_padded = Jo_4_size + 1.9721523e-31f,
+      Jo_4_error_bound = KSL_MULF(3.5762795e-07f, Jo_4_padded);
+  const float Jo_5_padded = Jo_5_size + 1.9721523e-31f,
+      Jo_5_error_bound = KSL_MULF(3.5762795e-07f, Jo_5_padded);
+  const float Jo_6_padded = Jo_6_size + 1.9721523e-31f,
+      Jo_6_error_bound = KSL_MULF(3.5762795e-07f, Jo_6_padded);
+  const float Jo_7_padded = Jo_7_size + 1.9721523e-31f,
+      Jo_7_error_bound = KSL_MULF(3.5762795e-07f, Jo_7_padded);
+  const float Jo_8_padded = Jo_8_size + 1.9721523e-31f,
+      Jo_8_error_bound = KSL_MULF(3.5762795e-07f, Jo_8_padded);
+  const float Jo_9_padded = Jo_9_size + 1.9721523e-31f,
+      Jo_9_error_bound = KSL_MULF(3.5762795e-07f, Jo_9_padded);
+  const float Ji_m = Ji->m;
+  Jo->m = Ji_m;
+  Jo->mt.x = Jo_1;
+  Jo->mt.y = Jo_2;
+  Jo->mt.z = Jo_3;
+  Jo->Ixx = Jo_4;
+  Jo->Iyy = Jo_5;
+  Jo->Izz = Jo_6;
+  Jo->Ixy = Jo_7;
+  Jo->Iyz = Jo_8;
+  Jo->Izx = Jo_9;
+  Jo_bound->m = 0.0f;
+  Jo_bound->mt.x = Jo_1_error_bound;
+  Jo_bound->mt.y = Jo_2_error_bound;
+  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->Ixx = Jo_4_error_bound;
+  Jo_bound->Iyy = Jo_5_error_bound;
+  Jo_bound->Izz = Jo_6_error_bound;
+  Jo_bound->Ixy = Jo_7_error_bound;
+  Jo_bound->Iyz = Jo_8_error_bound;
+  Jo_bound->Izx = Jo_9_error_bound;
+}
+
+/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
+     inf or NaN.
+   self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+     zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+   84 mul, 96 add, 48 abs. */
+static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const ksl_SE3f_t *D,
+    ksl_inertiaf_t *self_bound) {
+  const float RI_0a = KSL_MULF(self->Ixx, D->m00), RI_0b = KSL_MULF(self->Ixy, D->m01),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(self->Iyy, D->m01), RI_1b = KSL_MULF(self->Ixy, D->m00),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(self->Izz, D->m02), RI_2b = KSL_MULF(self->Iyz, D->m01),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(self->Ixx, D->m10), RI_3b = KSL_MULF(self->Ixy, D->m11),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(self->Iyy, D->m11), RI_4b = KSL_MULF(self->Ixy, D->m10),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(self->Izz, D->m12), RI_5b = KSL_MULF(self->Iyz, D->m11),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(self->Ixx, D->m20), RI_6b = KSL_MULF(self->Ixy, D->m21),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(self->Iyy, D->m21), RI_7b = KSL_MULF(self->Ixy, D->m20),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(self->Izz, D->m22), RI_8b = KSL_MULF(self->Iyz, D->m21),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+  const float self_1_new_a = KSL_MULF(self->m, D->m03), self_1_new_b = KSL_MULF(self->mt.x, D->m00),
+      self_1_new_c = KSL_MULF(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
+      self_1_new_e = KSL_MULF(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
+      self_1_new = self_1_new_a + self_1_new_f;
+  const float self_2_new_a = KSL_MULF(self->m, D->m13), self_2_new_b = KSL_MULF(self->mt.x, D->m10),
+      self_2_new_c = KSL_MULF(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
+      self_2_new_e = KSL_MULF(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
+      self_2_new = self_2_new_a + self_2_new_f;
+  const float self_3_new_a = KSL_MULF(self->m, D->m23), self_3_new_b = KSL_MULF(self->mt.x, D->m20),
+      self_3_new_c = KSL_MULF(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
+      self_3_new_e = KSL_MULF(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
+      self_3_new = self_3_new_a + self_3_new_f;
+  const float self_4_new_a = KSL_MULF(D->m00, RI_0), self_4_new_b = KSL_MULF(D->m01, RI_1),
+      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(D->m02, RI_2),
+      self_4_new = self_4_new_c + self_4_new_d;
+  const float self_5_new_a = KSL_MULF(D->m10, RI_3), self_5_new_b = KSL_MULF(D->m11, RI_4),
+      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(D->m12, RI_5),
+      self_5_new = self_5_new_c + self_5_new_d;
+  const float self_6_new_a = KSL_MULF(D->m20, RI_6), self_6_new_b = KSL_MULF(D->m21, RI_7),
+      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(D->m22, RI_8),
+      self_6_new = self_6_new_c + self_6_new_d;
+  const float self_7_new_a = KSL_MULF(D->m10, RI_0), self_7_new_b = KSL_MULF(D->m11, RI_1),
+      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(D->m12, RI_2),
+      self_7_new = self_7_new_c + self_7_new_d;
+  const float self_8_new_a = KSL_MULF(D->m20, RI_3), self_8_new_b = KSL_MULF(D->m21, RI_4),
+      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(D->m22, RI_5),
+      self_8_new = self_8_new_c + self_8_new_d;
+  const float self_9_new_a = KSL_MULF(D->m20, RI_0), self_9_new_b = KSL_MULF(D->m21, RI_1),
+      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(D->m22, RI_2),
+      self_9_new = self_9_new_c + self_9_new_d;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float self_1_new_b_abs = fabsf(self_1_new_b), self_1_new_c_abs = fabsf(self_1_new_c),
+      self_1_new_d_size = self_1_new_b_abs + self_1_new_c_abs,
+      self_1_new_e_abs = fabsf(self_1_new_e),
+      self_1_new_f_size = self_1_new_d_size + self_1_new_e_abs,
+      self_1_new_a_abs = fabsf(self_1_new_a),
+      self_1_new_size = self_1_new_a_abs + self_1_new_f_size;
+  const float self_2_new_b_abs = fabsf(self_2_new_b), self_2_new_c_abs = fabsf(self_2_new_c),
+      self_2_new_d_size = self_2_new_b_abs + self_2_new_c_abs,
+      self_2_new_e_abs = fabsf(self_2_new_e),
+      self_2_new_f_size = self_2_new_d_size + self_2_new_e_abs,
+      self_2_new_a_abs = fabsf(self_2_new_a),
+      self_2_new_size = self_2_new_a_abs + self_2_new_f_size;
+  const float self_3_new_b_abs = fabsf(self_3_new_b), self_3_new_c_abs = fabsf(self_3_new_c),
+      self_3_new_d_size = self_3_new_b_abs + self_3_new_c_abs,
+      self_3_new_e_abs = fabsf(self_3_new_e),
+      self_3_new_f_size = self_3_new_d_size + self_3_new_e_abs,
+      self_3_new_a_abs = fabsf(self_3_new_a),
+      self_3_new_size = self_3_new_a_abs + self_3_new_f_size;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float D_00_abs = fabsf(D->m00), self_4_new_a_size = KSL_MULF(D_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float D_01_abs = fabsf(D->m01), self_4_new_b_size = KSL_MULF(D_01_abs, RI_1_padded),
+      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float D_02_abs = fabsf(D->m02), self_4_new_d_size = KSL_MULF(D_02_abs, RI_2_padded),
+      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float D_10_abs = fabsf(D->m10), self_5_new_a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float D_11_abs = fabsf(D->m11), self_5_new_b_size = KSL_MULF(D_11_abs, RI_4_padded),
+      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float D_12_abs = fabsf(D->m12), self_5_new_d_size = KSL_MULF(D_12_abs, RI_5_padded),
+      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float D_20_abs = fabsf(D->m20), self_6_new_a_size = KSL_MULF(D_20_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float D_21_abs = fabsf(D->m21), self_6_new_b_size = KSL_MULF(D_21_abs, RI_7_padded),
+      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float D_22_abs = fabsf(D->m22), self_6_new_d_size = KSL_MULF(D_22_abs, RI_8_padded),
+      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
+  const float self_7_new_a_size = KSL_MULF(D_10_abs, RI_0_padded),
+      self_7_new_b_size = KSL_MULF(D_11_abs, RI_1_padded),
+      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
+      self_7_new_d_size = KSL_MULF(D_12_abs, RI_2_padded),
+      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
+  const float self_8_new_a_size = KSL_MULF(D_20_abs, RI_3_padded),
+      self_8_new_b_size = KSL_MULF(D_21_abs, RI_4_padded),
+      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
+      self_8_new_d_size = KSL_MULF(D_22_abs, RI_5_padded),
+      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
+  const float self_9_new_a_size = KSL_MULF(D_20_abs, RI_0_padded),
+      self_9_new_b_size = KSL_MULF(D_21_abs, RI_1_padded),
+      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
+      self_9_new_d_size = KSL_MULF(D_22_abs, RI_2_padded),
+      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
+  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
+      self_1_new_error_bound = KSL_MULF(2.3841864e-07f, self_1_new_padded);
+  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
+      self_2_new_error_bound = KSL_MULF(2.3841864e-07f, self_2_new_padded);
+  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
+      self_3_new_error_bound = KSL_MULF(2.3841864e-07f, self_3_new_padded);
+  const float self_4_new_padded = self_4_new_size + 1.9721523e-31f,
+      self_4_new_error_bound = KSL_MULF(3.5762795e-07f, self_4_new_padded);
+  const float self_5_new_padded = self_5_new_size + 1.9721523e-31f,
+      self_5_new_error_bound = KSL_MULF(3.5762795e-07f, self_5_new_padded);
+  const float self_6_new_padded = self_6_new_size + 1.9721523e-31f,
+      self_6_new_error_bound = KSL_MULF(3.5762795e-07f, self_6_new_padded);
+  const float self_7_new_padded = self_7_new_size + 1.9721523e-31f,
+      self_7_new_error_bound = KSL_MULF(3.5762795e-07f, self_7_new_padded);
+  const float self_8_new_padded = self_8_new_size + 1.9721523e-31f,
+      self_8_new_error_bound = KSL_MULF(3.5762795e-07f, self_8_new_padded);
+  const float self_9_new_padded = self_9_new_size + 1.9721523e-31f,
+      self_9_new_error_bound = KSL_MULF(3.5762795e-07f, self_9_new_padded);
+  self->mt.x = self_1_new;
+  self->mt.y = self_2_new;
+  self->mt.z = self_3_new;
+  self->Ixx = self_4_new;
+  self->Iyy = self_5_new;
+  self->Izz = self_6_new;
+  self->Ixy = self_7_new;
+  self->Iyz = self_8_new;
+  self->Izx = self_9_new;
+  self_bound->m = 0.0f;
+  self_bound->mt.x = self_1_new_error_bound;
+  self_bound->mt.y = self_2_new_error_bound;
+  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->Ixx = self_4_new_error_bound;
+  self_bound->Iyy = self_5_new_error_bound;
+  self_bound->Izz = self_6_new_error_bound;
+  self_bound->Ixy = self_7_new_error_bound;
+  self_bound->Iyz = self_8_new_error_bound;
+  self_bound->Izx = self_9_new_error_bound;
+}
+
+#endif
+
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+   Certified tier: plain results, and bounds of their errors that hold. */
+#ifndef KSL_SPATIAL_INERTIA_CERTIFIED_H
+#define KSL_SPATIAL_INERTIA_CERTIFIED_H
 
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2); a: number.
    20 mul, 10 add, 10 abs. */
-static inline void ksl_inertia_scale_certified(ksl_inertia_t *self, const double a,
-    ksl_inertia_t *self_bound) {
+static inline void ksl_spatial_inertia_scale_certified(ksl_spatial_inertia_t *self,
+    const double a, ksl_spatial_inertia_t *self_bound) {
   const double self_0_new = KSL_MUL(self->m, a);
   const double self_1_new = KSL_MUL(self->h.x, a);
   const double self_2_new = KSL_MUL(self->h.y, a);
@@ -17561,8 +19120,9 @@ static inline void ksl_inertia_scale_certified(ksl_inertia_t *self, const double
    B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
      zz, xy, xz, yz in kg m^2).
    10 mul, 10 add, 10 abs. */
-static inline void ksl_add_BB_certified(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
-    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+static inline void ksl_add_BB_certified(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
   const double Bo_0 = B1->m + B2->m;
   const double Bo_1 = B1->h.x + B2->h.x;
   const double Bo_2 = B1->h.y + B2->h.y;
@@ -17609,8 +19169,9 @@ static inline void ksl_add_BB_certified(const ksl_inertia_t *B1, const ksl_inert
    B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
      zz, xy, xz, yz in kg m^2).
    10 mul, 10 add, 10 abs. */
-static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_inertia_t *B2,
-    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
   const double Bo_0 = B1->m - B2->m;
   const double Bo_1 = B1->h.x - B2->h.x;
   const double Bo_2 = B1->h.y - B2->h.y;
@@ -17659,8 +19220,9 @@ static inline void ksl_subtract_BB_certified(const ksl_inertia_t *B1, const ksl_
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
-static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
-    const ksl_mat3x3_t *Ic, ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+static inline void ksl_spatial_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
   const double h_0 = KSL_MUL(m, com->x);
   const double h_1 = KSL_MUL(m, com->y);
   const double h_2 = KSL_MUL(m, com->z);
@@ -17733,7 +19295,7 @@ static inline void ksl_inertia_from_com_certified(const double m, const ksl_vec3
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    30 mul, 42 add, 24 abs. */
-static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
+static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
   const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
       co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
@@ -17802,8 +19364,8 @@ static inline void ksl_product_Bs_certified(const ksl_inertia_t *B, const ksl_sc
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
    39 mul, 45 add, 24 abs. */
-static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const ksl_screw_t *s,
-    double *energy_bound) {
+static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_inertia_t *B,
+    const ksl_screw_t *s, double *energy_bound) {
   const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
@@ -17877,8 +19439,9 @@ static inline double ksl_inertia_energy_certified(const ksl_inertia_t *B, const 
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
-static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_inertia_t *B,
-    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
   const double mt_0 = KSL_MUL(t->x, B->m);
   const double mt_1 = KSL_MUL(t->y, B->m);
   const double mt_2 = KSL_MUL(t->z, B->m);
@@ -17997,8 +19560,9 @@ static inline void ksl_inertia_shifted_certified(const ksl_vec3_t *t, const ksl_
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */
-static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const ksl_inertia_t *B,
-    ksl_inertia_t *Bo, ksl_inertia_t *Bo_bound) {
+static inline void ksl_spatial_inertia_transformed_certified(const ksl_SE3_t *D,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
   const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
       RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
   const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
@@ -18227,8 +19791,8 @@ static inline void ksl_inertia_transformed_certified(const ksl_SE3_t *D, const k
    self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2); a: number.
    20 mul, 10 add, 10 abs. */
-static inline void ksl_inertiaf_scale_certified(ksl_inertiaf_t *self, const float a,
-    ksl_inertiaf_t *self_bound) {
+static inline void ksl_spatial_inertiaf_scale_certified(ksl_spatial_inertiaf_t *self,
+    const float a, ksl_spatial_inertiaf_t *self_bound) {
   const float self_0_new = KSL_MULF(self->m, a);
   const float self_1_new = KSL_MULF(self->h.x, a);
   const float self_2_new = KSL_MULF(self->h.y, a);
@@ -18295,8 +19859,9 @@ static inline void ksl_inertiaf_scale_certified(ksl_inertiaf_t *self, const floa
    B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
      zz, xy, xz, yz in kg m^2).
    10 mul, 10 add, 10 abs. */
-static inline void ksl_add_BBf_certified(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
-    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+static inline void ksl_add_BBf_certified(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
   const float Bo_0 = B1->m + B2->m;
   const float Bo_1 = B1->h.x + B2->h.x;
   const float Bo_2 = B1->h.y + B2->h.y;
@@ -18343,8 +19908,9 @@ static inline void ksl_add_BBf_certified(const ksl_inertiaf_t *B1, const ksl_ine
    B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
      zz, xy, xz, yz in kg m^2).
    10 mul, 10 add, 10 abs. */
-static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ksl_inertiaf_t *B2,
-    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
   const float Bo_0 = B1->m - B2->m;
   const float Bo_1 = B1->h.x - B2->h.x;
   const float Bo_2 = B1->h.y - B2->h.y;
@@ -18393,8 +19959,9 @@ static inline void ksl_subtract_BBf_certified(const ksl_inertiaf_t *B1, const ks
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
-static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
-    const ksl_mat3x3f_t *Ic, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+static inline void ksl_spatial_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
   const float h_0 = KSL_MULF(m, com->x);
   const float h_1 = KSL_MULF(m, com->y);
   const float h_2 = KSL_MULF(m, com->z);
@@ -18467,8 +20034,8 @@ static inline void ksl_inertiaf_from_com_certified(const float m, const ksl_vec3
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    30 mul, 42 add, 24 abs. */
-static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
-    ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
+static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
   const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
       co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
   const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
@@ -18539,8 +20106,8 @@ static inline void ksl_product_Bsf_certified(const ksl_inertiaf_t *B, const ksl_
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
    39 mul, 45 add, 24 abs. */
-static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const ksl_screwf_t *s,
-    float *energy_bound) {
+static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s, float *energy_bound) {
   const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
@@ -18614,8 +20181,9 @@ static inline float ksl_inertiaf_energy_certified(const ksl_inertiaf_t *B, const
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
-static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ksl_inertiaf_t *B,
-    ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
   const float mt_0 = KSL_MULF(t->x, B->m);
   const float mt_1 = KSL_MULF(t->y, B->m);
   const float mt_2 = KSL_MULF(t->z, B->m);
@@ -18734,8 +20302,9 @@ static inline void ksl_inertiaf_shifted_certified(const ksl_vec3f_t *t, const ks
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */
-static inline void ksl_inertiaf_transformed_certified(const ksl_SE3f_t *D,
-    const ksl_inertiaf_t *B, ksl_inertiaf_t *Bo, ksl_inertiaf_t *Bo_bound) {
+static inline void ksl_spatial_inertiaf_transformed_certified(const ksl_SE3f_t *D,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
   const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
       RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
   const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),

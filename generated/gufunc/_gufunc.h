@@ -75,6 +75,7 @@ extern const coscrew_gufunc coscrew_quaternion_gufuncs[], coscrew_quaternion_guf
 extern const coscrew_gufunc coscrew_exponential_gufuncs[], coscrew_exponential_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_symmetric_gufuncs[], coscrew_symmetric_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_inertia_gufuncs[], coscrew_inertia_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_spatial_inertia_gufuncs[], coscrew_spatial_inertia_gufuncs_avx2[];
 
 INLINED void load_scalar_double(
     double *x, const char *p, const npy_intp *s) {
@@ -740,6 +741,66 @@ INLINED void load_inertia_double(
     ksl_inertia_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m = *(const double *)(p);
+  x->mt.x = *(const double *)(p + 1 * s[0]);
+  x->mt.y = *(const double *)(p + 2 * s[0]);
+  x->mt.z = *(const double *)(p + 3 * s[0]);
+  x->Ixx = *(const double *)(p + 4 * s[0]);
+  x->Iyy = *(const double *)(p + 5 * s[0]);
+  x->Izz = *(const double *)(p + 6 * s[0]);
+  x->Ixy = *(const double *)(p + 7 * s[0]);
+  x->Iyz = *(const double *)(p + 8 * s[0]);
+  x->Izx = *(const double *)(p + 9 * s[0]);
+}
+
+INLINED void store_inertia_double(
+    const ksl_inertia_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(double *)(p) = x->m;
+  *(double *)(p + 1 * s[0]) = x->mt.x;
+  *(double *)(p + 2 * s[0]) = x->mt.y;
+  *(double *)(p + 3 * s[0]) = x->mt.z;
+  *(double *)(p + 4 * s[0]) = x->Ixx;
+  *(double *)(p + 5 * s[0]) = x->Iyy;
+  *(double *)(p + 6 * s[0]) = x->Izz;
+  *(double *)(p + 7 * s[0]) = x->Ixy;
+  *(double *)(p + 8 * s[0]) = x->Iyz;
+  *(double *)(p + 9 * s[0]) = x->Izx;
+}
+
+INLINED void load_inertia_single(
+    ksl_inertiaf_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m = *(const float *)(p);
+  x->mt.x = *(const float *)(p + 1 * s[0]);
+  x->mt.y = *(const float *)(p + 2 * s[0]);
+  x->mt.z = *(const float *)(p + 3 * s[0]);
+  x->Ixx = *(const float *)(p + 4 * s[0]);
+  x->Iyy = *(const float *)(p + 5 * s[0]);
+  x->Izz = *(const float *)(p + 6 * s[0]);
+  x->Ixy = *(const float *)(p + 7 * s[0]);
+  x->Iyz = *(const float *)(p + 8 * s[0]);
+  x->Izx = *(const float *)(p + 9 * s[0]);
+}
+
+INLINED void store_inertia_single(
+    const ksl_inertiaf_t *x, char *p, const npy_intp *s) {
+  (void)s;
+  *(float *)(p) = x->m;
+  *(float *)(p + 1 * s[0]) = x->mt.x;
+  *(float *)(p + 2 * s[0]) = x->mt.y;
+  *(float *)(p + 3 * s[0]) = x->mt.z;
+  *(float *)(p + 4 * s[0]) = x->Ixx;
+  *(float *)(p + 5 * s[0]) = x->Iyy;
+  *(float *)(p + 6 * s[0]) = x->Izz;
+  *(float *)(p + 7 * s[0]) = x->Ixy;
+  *(float *)(p + 8 * s[0]) = x->Iyz;
+  *(float *)(p + 9 * s[0]) = x->Izx;
+}
+
+INLINED void load_spatial_inertia_double(
+    ksl_spatial_inertia_t *x, const char *p, const npy_intp *s) {
+  (void)s;
+  x->m = *(const double *)(p);
   x->h.x = *(const double *)(p + 1 * s[0]);
   x->h.y = *(const double *)(p + 2 * s[0]);
   x->h.z = *(const double *)(p + 3 * s[0]);
@@ -751,8 +812,8 @@ INLINED void load_inertia_double(
   x->yz = *(const double *)(p + 9 * s[0]);
 }
 
-INLINED void store_inertia_double(
-    const ksl_inertia_t *x, char *p, const npy_intp *s) {
+INLINED void store_spatial_inertia_double(
+    const ksl_spatial_inertia_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(double *)(p) = x->m;
   *(double *)(p + 1 * s[0]) = x->h.x;
@@ -766,8 +827,8 @@ INLINED void store_inertia_double(
   *(double *)(p + 9 * s[0]) = x->yz;
 }
 
-INLINED void load_inertia_single(
-    ksl_inertiaf_t *x, const char *p, const npy_intp *s) {
+INLINED void load_spatial_inertia_single(
+    ksl_spatial_inertiaf_t *x, const char *p, const npy_intp *s) {
   (void)s;
   x->m = *(const float *)(p);
   x->h.x = *(const float *)(p + 1 * s[0]);
@@ -781,8 +842,8 @@ INLINED void load_inertia_single(
   x->yz = *(const float *)(p + 9 * s[0]);
 }
 
-INLINED void store_inertia_single(
-    const ksl_inertiaf_t *x, char *p, const npy_intp *s) {
+INLINED void store_spatial_inertia_single(
+    const ksl_spatial_inertiaf_t *x, char *p, const npy_intp *s) {
   (void)s;
   *(float *)(p) = x->m;
   *(float *)(p + 1 * s[0]) = x->h.x;

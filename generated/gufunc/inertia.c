@@ -7,6 +7,129 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
+/* (),(3),(),(),(),(),(),()->(10) */
+INLINED void inertia_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  char *const p6 = data[6];
+  char *const p7 = data[7];
+  char *const p8 = data[8];
+  if (n <= 0) {
+    return;
+  }
+  double m;
+  load_scalar_double(&m, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t t;
+    double Ixx;
+    double Iyy;
+    double Izz;
+    double Ixy;
+    double Iyz;
+    double Izx;
+    ksl_inertia_t J;
+    if (step[0] != 0) {
+      load_scalar_double(&m, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 0);
+    load_scalar_double(&Ixx, p2 + i * step[2], core + 1);
+    load_scalar_double(&Iyy, p3 + i * step[3], core + 1);
+    load_scalar_double(&Izz, p4 + i * step[4], core + 1);
+    load_scalar_double(&Ixy, p5 + i * step[5], core + 1);
+    load_scalar_double(&Iyz, p6 + i * step[6], core + 1);
+    load_scalar_double(&Izx, p7 + i * step[7], core + 1);
+    J = ksl_inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx);
+    store_inertia_double(&J, p8 + i * step[8], core + 1);
+  }
+}
+
+static void inertia_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 8, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_double_over(
+        data, n[0], dense_1, dense_1 + 9);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_double_over(
+        data, n[0], dense_2, dense_2 + 9);
+    return;
+  }
+  inertia_double_over(data, n[0], step, step + 9);
+}
+
+/* (),(3),(),(),(),(),(),()->(10) */
+INLINED void inertia_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  char *const p6 = data[6];
+  char *const p7 = data[7];
+  char *const p8 = data[8];
+  if (n <= 0) {
+    return;
+  }
+  float m;
+  load_scalar_single(&m, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t t;
+    float Ixx;
+    float Iyy;
+    float Izz;
+    float Ixy;
+    float Iyz;
+    float Izx;
+    ksl_inertiaf_t J;
+    if (step[0] != 0) {
+      load_scalar_single(&m, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 0);
+    load_scalar_single(&Ixx, p2 + i * step[2], core + 1);
+    load_scalar_single(&Iyy, p3 + i * step[3], core + 1);
+    load_scalar_single(&Izz, p4 + i * step[4], core + 1);
+    load_scalar_single(&Ixy, p5 + i * step[5], core + 1);
+    load_scalar_single(&Iyz, p6 + i * step[6], core + 1);
+    load_scalar_single(&Izx, p7 + i * step[7], core + 1);
+    J = ksl_inertiaf(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx);
+    store_inertia_single(&J, p8 + i * step[8], core + 1);
+  }
+}
+
+static void inertia_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 4, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_single_over(
+        data, n[0], dense_1, dense_1 + 9);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_single_over(
+        data, n[0], dense_2, dense_2 + 9);
+    return;
+  }
+  inertia_single_over(data, n[0], step, step + 9);
+}
+
+static PyUFuncGenericFunction inertia_loops[] = {
+    inertia_double, inertia_single};
+
 /* (10)->(10) */
 INLINED void inertia_copy_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -15,16 +138,16 @@ INLINED void inertia_copy_double_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertia_t Bi;
-  load_inertia_double(&Bi, p0, core + 0);
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t Bo;
+    ksl_inertia_t Jo;
     if (step[0] != 0) {
-      load_inertia_double(&Bi, p0 + i * step[0], core + 0);
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
     }
-    ksl_inertia_copy(&Bi, &Bo);
-    store_inertia_double(&Bo, p1 + i * step[1], core + 1);
+    ksl_inertia_copy(&Ji, &Jo);
+    store_inertia_double(&Jo, p1 + i * step[1], core + 1);
   }
 }
 
@@ -54,16 +177,16 @@ INLINED void inertia_copy_single_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertiaf_t Bi;
-  load_inertia_single(&Bi, p0, core + 0);
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t Bo;
+    ksl_inertiaf_t Jo;
     if (step[0] != 0) {
-      load_inertia_single(&Bi, p0 + i * step[0], core + 0);
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
     }
-    ksl_inertiaf_copy(&Bi, &Bo);
-    store_inertia_single(&Bo, p1 + i * step[1], core + 1);
+    ksl_inertiaf_copy(&Ji, &Jo);
+    store_inertia_single(&Jo, p1 + i * step[1], core + 1);
   }
 }
 
@@ -88,8 +211,95 @@ static void inertia_copy_single(
 static PyUFuncGenericFunction inertia_copy_loops[] = {
     inertia_copy_double, inertia_copy_single};
 
-/* (10),()->(10) */
-INLINED void inertia_scale_double_over(
+/* (10),(3,3)->(10) */
+INLINED void inertia_rotated_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    ksl_inertia_t Jo;
+    if (step[0] != 0) {
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    ksl_inertia_rotated(&Ji, &R, &Jo);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
+  }
+}
+
+static void inertia_rotated_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 80, 72, 80, 8, 24, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_rotated_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 80, 8, 24, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_rotated_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  inertia_rotated_double_over(data, n[0], step, step + 3);
+}
+
+/* (10),(3,3)->(10) */
+INLINED void inertia_rotated_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    ksl_inertiaf_t Jo;
+    if (step[0] != 0) {
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    ksl_inertiaf_rotated(&Ji, &R, &Jo);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
+  }
+}
+
+static void inertia_rotated_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 40, 36, 40, 4, 12, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_rotated_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 40, 4, 12, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_rotated_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  inertia_rotated_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction inertia_rotated_loops[] = {
+    inertia_rotated_double, inertia_rotated_single};
+
+/* (10),(3,3)->(10) */
+INLINED void inertia_rotate_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -97,28 +307,28 @@ INLINED void inertia_scale_double_over(
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_inertia_t self;
-    double a;
+    ksl_mat3x3_t R;
     load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
-    ksl_inertia_scale(&self, a);
-    store_inertia_double(&self, p2 + i * step[2], core + 1);
+    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    ksl_inertia_rotate(&self, &R);
+    store_inertia_double(&self, p2 + i * step[2], core + 3);
   }
 }
 
-static void inertia_scale_double(
+static void inertia_rotate_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 80, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 72, 80, 8, 24, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_scale_double_over(
+    inertia_rotate_double_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  inertia_scale_double_over(data, n[0], step, step + 3);
+  inertia_rotate_double_over(data, n[0], step, step + 3);
 }
 
-/* (10),()->(10) */
-INLINED void inertia_scale_single_over(
+/* (10),(3,3)->(10) */
+INLINED void inertia_rotate_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -126,31 +336,31 @@ INLINED void inertia_scale_single_over(
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_inertiaf_t self;
-    float a;
+    ksl_mat3x3f_t R;
     load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
-    ksl_inertiaf_scale(&self, a);
-    store_inertia_single(&self, p2 + i * step[2], core + 1);
+    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    ksl_inertiaf_rotate(&self, &R);
+    store_inertia_single(&self, p2 + i * step[2], core + 3);
   }
 }
 
-static void inertia_scale_single(
+static void inertia_rotate_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 40, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 36, 40, 4, 12, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_scale_single_over(
+    inertia_rotate_single_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  inertia_scale_single_over(data, n[0], step, step + 3);
+  inertia_rotate_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction inertia_scale_loops[] = {
-    inertia_scale_double, inertia_scale_single};
+static PyUFuncGenericFunction inertia_rotate_loops[] = {
+    inertia_rotate_double, inertia_rotate_single};
 
-/* (10),(10)->(10) */
-INLINED void add_BB_double_over(
+/* (10),(3)->(10) */
+INLINED void inertia_translated_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -158,41 +368,41 @@ INLINED void add_BB_double_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertia_t B1;
-  load_inertia_double(&B1, p0, core + 0);
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B2;
-    ksl_inertia_t Bo;
+    ksl_vec3_t t;
+    ksl_inertia_t Jo;
     if (step[0] != 0) {
-      load_inertia_double(&B1, p0 + i * step[0], core + 0);
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_double(&B2, p1 + i * step[1], core + 1);
-    ksl_add_BB(&B1, &B2, &Bo);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
+    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    ksl_inertia_translated(&Ji, &t, &Jo);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 2);
   }
 }
 
-static void add_BB_double(
+static void inertia_translated_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 24, 80, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_double_over(
+    inertia_translated_double_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
+  static const npy_intp dense_2[] = { 0, 24, 80, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_double_over(
+    inertia_translated_double_over(
         data, n[0], dense_2, dense_2 + 3);
     return;
   }
-  add_BB_double_over(data, n[0], step, step + 3);
+  inertia_translated_double_over(data, n[0], step, step + 3);
 }
 
-/* (10),(10)->(10) */
-INLINED void add_BB_single_over(
+/* (10),(3)->(10) */
+INLINED void inertia_translated_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -200,727 +410,104 @@ INLINED void add_BB_single_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertiaf_t B1;
-  load_inertia_single(&B1, p0, core + 0);
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B2;
-    ksl_inertiaf_t Bo;
+    ksl_vec3f_t t;
+    ksl_inertiaf_t Jo;
     if (step[0] != 0) {
-      load_inertia_single(&B1, p0 + i * step[0], core + 0);
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_single(&B2, p1 + i * step[1], core + 1);
-    ksl_add_BBf(&B1, &B2, &Bo);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
+    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    ksl_inertiaf_translated(&Ji, &t, &Jo);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 2);
   }
 }
 
-static void add_BB_single(
+static void inertia_translated_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 12, 40, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_single_over(
+    inertia_translated_single_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
+  static const npy_intp dense_2[] = { 0, 12, 40, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_single_over(
+    inertia_translated_single_over(
         data, n[0], dense_2, dense_2 + 3);
     return;
   }
-  add_BB_single_over(data, n[0], step, step + 3);
+  inertia_translated_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction add_BB_loops[] = {
-    add_BB_double, add_BB_single};
+static PyUFuncGenericFunction inertia_translated_loops[] = {
+    inertia_translated_double, inertia_translated_single};
 
-/* (10),(10)->(10) */
-INLINED void subtract_BB_double_over(
+/* (10),(3)->(10) */
+INLINED void inertia_translate_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
   char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B1;
-  load_inertia_double(&B1, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B2;
-    ksl_inertia_t Bo;
-    if (step[0] != 0) {
-      load_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_inertia_double(&B2, p1 + i * step[1], core + 1);
-    ksl_subtract_BB(&B1, &B2, &Bo);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
+    ksl_inertia_t self;
+    ksl_vec3_t t;
+    load_inertia_double(&self, p0 + i * step[0], core + 0);
+    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    ksl_inertia_translate(&self, &t);
+    store_inertia_double(&self, p2 + i * step[2], core + 2);
   }
 }
 
-static void subtract_BB_double(
+static void inertia_translate_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 24, 80, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_double_over(
+    inertia_translate_double_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_BB_double_over(data, n[0], step, step + 3);
+  inertia_translate_double_over(data, n[0], step, step + 3);
 }
 
-/* (10),(10)->(10) */
-INLINED void subtract_BB_single_over(
+/* (10),(3)->(10) */
+INLINED void inertia_translate_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
   char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B1;
-  load_inertia_single(&B1, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B2;
-    ksl_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_inertia_single(&B2, p1 + i * step[1], core + 1);
-    ksl_subtract_BBf(&B1, &B2, &Bo);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
+    ksl_inertiaf_t self;
+    ksl_vec3f_t t;
+    load_inertia_single(&self, p0 + i * step[0], core + 0);
+    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    ksl_inertiaf_translate(&self, &t);
+    store_inertia_single(&self, p2 + i * step[2], core + 2);
   }
 }
 
-static void subtract_BB_single(
+static void inertia_translate_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 12, 40, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_single_over(
+    inertia_translate_single_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  subtract_BB_single_over(data, n[0], step, step + 3);
+  inertia_translate_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction subtract_BB_loops[] = {
-    subtract_BB_double, subtract_BB_single};
+static PyUFuncGenericFunction inertia_translate_loops[] = {
+    inertia_translate_double, inertia_translate_single};
 
-/* (),(3),(3,3)->(10) */
-INLINED void inertia_from_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t com;
-    ksl_mat3x3_t Ic;
-    ksl_inertia_t Bo;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_double(&Ic, p2 + i * step[2], core + 1);
-    ksl_inertia_from_com(m, &com, &Ic, &Bo);
-    store_inertia_double(&Bo, p3 + i * step[3], core + 3);
-  }
-}
-
-static void inertia_from_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_com_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 80, 8, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_com_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_from_com_double_over(data, n[0], step, step + 4);
-}
-
-/* (),(3),(3,3)->(10) */
-INLINED void inertia_from_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t com;
-    ksl_mat3x3f_t Ic;
-    ksl_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_single(&Ic, p2 + i * step[2], core + 1);
-    ksl_inertiaf_from_com(m, &com, &Ic, &Bo);
-    store_inertia_single(&Bo, p3 + i * step[3], core + 3);
-  }
-}
-
-static void inertia_from_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_com_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 40, 4, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_com_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_from_com_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_from_com_loops[] = {
-    inertia_from_com_double, inertia_from_com_single};
-
-/* (10)->(3) */
-INLINED void inertia_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t vo;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertia_com(&B, &vo);
-    store_vec3_double(&vo, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 24, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_com_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_com_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_com_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(3) */
-INLINED void inertia_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t vo;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertiaf_com(&B, &vo);
-    store_vec3_single(&vo, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 12, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_com_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_com_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_com_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction inertia_com_loops[] = {
-    inertia_com_double, inertia_com_single};
-
-/* (10)->(3,3) */
-INLINED void inertia_about_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3_t Ro;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertia_about_com(&B, &Ro);
-    store_mat3x3_double(&Ro, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_about_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 72, 8, 24, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_about_com_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_about_com_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_about_com_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(3,3) */
-INLINED void inertia_about_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_mat3x3f_t Ro;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertiaf_about_com(&B, &Ro);
-    store_mat3x3_single(&Ro, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_about_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 36, 4, 12, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_about_com_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_about_com_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_about_com_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction inertia_about_com_loops[] = {
-    inertia_about_com_double, inertia_about_com_single};
-
-/* (10)->(6,6) */
-INLINED void inertia_matrix_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6_t Mo;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertia_matrix(&B, &Mo);
-    store_mat6x6_double(&Mo, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_matrix_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 288, 8, 48, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_matrix_double_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 288, 8, 48, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_matrix_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_matrix_double_over(data, n[0], step, step + 2);
-}
-
-/* (10)->(6,6) */
-INLINED void inertia_matrix_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_mat6x6f_t Mo;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    ksl_inertiaf_matrix(&B, &Mo);
-    store_mat6x6_single(&Mo, p1 + i * step[1], core + 1);
-  }
-}
-
-static void inertia_matrix_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 144, 4, 24, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_matrix_single_over(
-        data, n[0], dense_1, dense_1 + 2);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 144, 4, 24, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_matrix_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_matrix_single_over(data, n[0], step, step + 2);
-}
-
-static PyUFuncGenericFunction inertia_matrix_loops[] = {
-    inertia_matrix_double, inertia_matrix_single};
-
-/* (10),(6)->(6) */
-INLINED void product_Bs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s;
-    ksl_coscrew_t co;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
-    ksl_product_Bs(&B, &s, &co);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
-  }
-}
-
-static void product_Bs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Bs_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(6)->(6) */
-INLINED void product_Bs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s;
-    ksl_coscrewf_t co;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
-    ksl_product_Bsf(&B, &s, &co);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
-  }
-}
-
-static void product_Bs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  product_Bs_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction product_Bs_loops[] = {
-    product_Bs_double, product_Bs_single};
-
-/* (10),(6)->() */
-INLINED void inertia_energy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s;
-    double energy;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
-    energy = ksl_inertia_energy(&B, &s);
-    store_scalar_double(&energy, p2 + i * step[2], core + 2);
-  }
-}
-
-static void inertia_energy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_energy_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_energy_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_energy_double_over(data, n[0], step, step + 3);
-}
-
-/* (10),(6)->() */
-INLINED void inertia_energy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s;
-    float energy;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
-    energy = ksl_inertiaf_energy(&B, &s);
-    store_scalar_single(&energy, p2 + i * step[2], core + 2);
-  }
-}
-
-static void inertia_energy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_energy_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_energy_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_energy_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_energy_loops[] = {
-    inertia_energy_double, inertia_energy_single};
-
-/* (3),(10)->(10) */
-INLINED void inertia_shifted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B;
-    ksl_inertia_t Bo;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_inertia_double(&B, p1 + i * step[1], core + 1);
-    ksl_inertia_shifted(&t, &B, &Bo);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
-  }
-}
-
-static void inertia_shifted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_shifted_double_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_shifted_double_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_shifted_double_over(data, n[0], step, step + 3);
-}
-
-/* (3),(10)->(10) */
-INLINED void inertia_shifted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B;
-    ksl_inertiaf_t Bo;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_inertia_single(&B, p1 + i * step[1], core + 1);
-    ksl_inertiaf_shifted(&t, &B, &Bo);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
-  }
-}
-
-static void inertia_shifted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_shifted_single_over(
-        data, n[0], dense_1, dense_1 + 3);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_shifted_single_over(
-        data, n[0], dense_2, dense_2 + 3);
-    return;
-  }
-  inertia_shifted_single_over(data, n[0], step, step + 3);
-}
-
-static PyUFuncGenericFunction inertia_shifted_loops[] = {
-    inertia_shifted_double, inertia_shifted_single};
-
-/* (3,4),(10)->(10) */
+/* (10),(3,4)->(10) */
 INLINED void inertia_transformed_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -929,31 +516,31 @@ INLINED void inertia_transformed_double_over(
   if (n <= 0) {
     return;
   }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B;
-    ksl_inertia_t Bo;
+    ksl_SE3_t D;
+    ksl_inertia_t Jo;
     if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_double(&B, p1 + i * step[1], core + 2);
-    ksl_inertia_transformed(&D, &B, &Bo);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 3);
+    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    ksl_inertia_transformed(&Ji, &D, &Jo);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
   }
 }
 
 static void inertia_transformed_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 96, 80, 80, 32, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 96, 80, 8, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     inertia_transformed_double_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 32, 8, 8, 8 };
+  static const npy_intp dense_2[] = { 0, 96, 80, 8, 32, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
     inertia_transformed_double_over(
         data, n[0], dense_2, dense_2 + 3);
@@ -962,7 +549,7 @@ static void inertia_transformed_double(
   inertia_transformed_double_over(data, n[0], step, step + 3);
 }
 
-/* (3,4),(10)->(10) */
+/* (10),(3,4)->(10) */
 INLINED void inertia_transformed_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -971,31 +558,31 @@ INLINED void inertia_transformed_single_over(
   if (n <= 0) {
     return;
   }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B;
-    ksl_inertiaf_t Bo;
+    ksl_SE3f_t D;
+    ksl_inertiaf_t Jo;
     if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_single(&B, p1 + i * step[1], core + 2);
-    ksl_inertiaf_transformed(&D, &B, &Bo);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 3);
+    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    ksl_inertiaf_transformed(&Ji, &D, &Jo);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
   }
 }
 
 static void inertia_transformed_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 48, 40, 40, 16, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 48, 40, 4, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     inertia_transformed_single_over(
         data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 16, 4, 4, 4 };
+  static const npy_intp dense_2[] = { 0, 48, 40, 4, 16, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
     inertia_transformed_single_over(
         data, n[0], dense_2, dense_2 + 3);
@@ -1007,186 +594,223 @@ static void inertia_transformed_single(
 static PyUFuncGenericFunction inertia_transformed_loops[] = {
     inertia_transformed_double, inertia_transformed_single};
 
-/* (10)->() */
-INLINED void inertia_consistency_double_over(
+/* (10),(3,4)->(10) */
+INLINED void inertia_transform_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
+  char *const p2 = data[2];
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    double pivot;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    pivot = ksl_inertia_consistency(&B);
-    store_scalar_double(&pivot, p1 + i * step[1], core + 1);
+    ksl_inertia_t self;
+    ksl_SE3_t D;
+    load_inertia_double(&self, p0 + i * step[0], core + 0);
+    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    ksl_inertia_transform(&self, &D);
+    store_inertia_double(&self, p2 + i * step[2], core + 3);
   }
 }
 
-static void inertia_consistency_double(
+static void inertia_transform_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 96, 80, 8, 32, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_consistency_double_over(
-        data, n[0], dense_1, dense_1 + 2);
+    inertia_transform_double_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_consistency_double_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_consistency_double_over(data, n[0], step, step + 2);
+  inertia_transform_double_over(data, n[0], step, step + 3);
 }
 
-/* (10)->() */
-INLINED void inertia_consistency_single_over(
+/* (10),(3,4)->(10) */
+INLINED void inertia_transform_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
+  char *const p2 = data[2];
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    float pivot;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    pivot = ksl_inertiaf_consistency(&B);
-    store_scalar_single(&pivot, p1 + i * step[1], core + 1);
+    ksl_inertiaf_t self;
+    ksl_SE3f_t D;
+    load_inertia_single(&self, p0 + i * step[0], core + 0);
+    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    ksl_inertiaf_transform(&self, &D);
+    store_inertia_single(&self, p2 + i * step[2], core + 3);
   }
 }
 
-static void inertia_consistency_single(
+static void inertia_transform_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 48, 40, 4, 16, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_consistency_single_over(
-        data, n[0], dense_1, dense_1 + 2);
+    inertia_transform_single_over(
+        data, n[0], dense_1, dense_1 + 3);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_consistency_single_over(
-        data, n[0], dense_2, dense_2 + 2);
-    return;
-  }
-  inertia_consistency_single_over(data, n[0], step, step + 2);
+  inertia_transform_single_over(data, n[0], step, step + 3);
 }
 
-static PyUFuncGenericFunction inertia_consistency_loops[] = {
-    inertia_consistency_double, inertia_consistency_single};
+static PyUFuncGenericFunction inertia_transform_loops[] = {
+    inertia_transform_double, inertia_transform_single};
+
+/* (10),(3),(10),(3),(3,4)->(10) */
+INLINED void inertia_merge_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_inertia_t Ji;
+    ksl_vec3_t t_ic;
+    ksl_inertia_t Jj;
+    ksl_vec3_t t_jc;
+    ksl_SE3_t D_ij;
+    load_inertia_double(&Ji, p0 + i * step[0], core + 0);
+    load_vec3_double(&t_ic, p1 + i * step[1], core + 1);
+    load_inertia_double(&Jj, p2 + i * step[2], core + 2);
+    load_vec3_double(&t_jc, p3 + i * step[3], core + 3);
+    load_SE3_double(&D_ij, p4 + i * step[4], core + 4);
+    ksl_inertia_merge(&Ji, &t_ic, &Jj, &t_jc, &D_ij);
+    store_inertia_double(&Ji, p5 + i * step[5], core + 6);
+  }
+}
+
+static void inertia_merge_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_merge_double_over(
+        data, n[0], dense_1, dense_1 + 6);
+    return;
+  }
+  inertia_merge_double_over(data, n[0], step, step + 6);
+}
+
+/* (10),(3),(10),(3),(3,4)->(10) */
+INLINED void inertia_merge_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_inertiaf_t Ji;
+    ksl_vec3f_t t_ic;
+    ksl_inertiaf_t Jj;
+    ksl_vec3f_t t_jc;
+    ksl_SE3f_t D_ij;
+    load_inertia_single(&Ji, p0 + i * step[0], core + 0);
+    load_vec3_single(&t_ic, p1 + i * step[1], core + 1);
+    load_inertia_single(&Jj, p2 + i * step[2], core + 2);
+    load_vec3_single(&t_jc, p3 + i * step[3], core + 3);
+    load_SE3_single(&D_ij, p4 + i * step[4], core + 4);
+    ksl_inertiaf_merge(&Ji, &t_ic, &Jj, &t_jc, &D_ij);
+    store_inertia_single(&Ji, p5 + i * step[5], core + 6);
+  }
+}
+
+static void inertia_merge_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 40, 12, 40, 12, 48, 40, 4, 4, 4, 4, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_merge_single_over(
+        data, n[0], dense_1, dense_1 + 6);
+    return;
+  }
+  inertia_merge_single_over(data, n[0], step, step + 6);
+}
+
+static PyUFuncGenericFunction inertia_merge_loops[] = {
+    inertia_merge_double, inertia_merge_single};
 
 const coscrew_gufunc TABLE(inertia)[] = {
-  {"inertia_copy", "(10)->(10)",
-    "Bo = Bi.\n"
+  {"inertia", "(),(3),(),(),(),(),(),()->(10)",
+    "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the\n"
+    "moments' matrix about it in kg m^2, Ixy = -∫ x y dm.\n"
     "\n"
-    "(10)->(10).  Bi, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
-    "zz, xy, xz, yz in kg m^2).\n"
+    "(),(3),(),(),(),(),(),()->(10).  m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J:\n"
+    "inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in\n"
+    "kg m^2).\n"
+    "3 mul.  Error <= u |result|, barring over- and underflow.\n",
+   8, 1, inertia_loops},
+  {"inertia_copy", "(10)->(10)",
+    "Jo = Ji.\n"
+    "\n"
+    "(10)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,\n"
+    "yy, zz, xy, yz, zx in kg m^2).\n"
     "No arithmetic.  Exact.\n",
    1, 1, inertia_copy_loops},
-  {"inertia_scale", "(10),()->(10)",
-    "self = a self.\n"
+  {"inertia_rotated", "(10),(3,3)->(10)",
+    "Jo = Ji turned by R: m, R mt, R I R^T.\n"
     "\n"
-    "(10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
-    "zz, xy, xz, yz in kg m^2); a: number.\n"
-    "10 mul.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, inertia_scale_loops},
-  {"add_BB", "(10),(10)->(10)",
-    "Bo = B1 + B2.\n"
-    "\n"
-    "(10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,\n"
-    "xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "10 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, add_BB_loops},
-  {"subtract_BB", "(10),(10)->(10)",
-    "Bo = B1 - B2.\n"
-    "\n"
-    "(10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,\n"
-    "xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "10 add.  Error <= u |result|, barring over- and underflow.\n",
-   2, 1, subtract_BB_loops},
-  {"inertia_from_com", "(),(3),(3,3)->(10)",
-    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix\n"
-    "the upper triangle): h = m com, I = Ic - m com~ com~.\n"
-    "\n"
-    "(),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial\n"
-    "inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "9 mul, 9 add.  Error <= u |result| + (m: 0, h: 0, I: 3) u S, S the sum of the |terms| of the\n"
-    "expanded formula; barring over- and underflow.\n",
-   3, 1, inertia_from_com_loops},
-  {"inertia_com", "(10)->(3)",
-    "vo = h / m, the centre of mass in m.\n"
-    "\n"
-    "(10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
-    "xy, xz, yz in kg m^2); vo: vector.\n"
-    "3 div.  Error <= u |result|, barring over- and underflow.\n",
-   1, 1, inertia_com_loops},
-  {"inertia_about_com", "(10)->(3,3)",
-    "Ro = I + h~ h~ / m, the second moments about the centre of mass.\n"
-    "\n"
-    "(10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
-    "xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.\n"
-    "6 mul, 9 add, 3 div.\n",
-   1, 1, inertia_about_com_loops},
-  {"inertia_matrix", "(10)->(6,6)",
-    "Mo = [[m 1, -h~], [h~, I]].\n"
-    "\n"
-    "(10)->(6,6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
-    "xy, xz, yz in kg m^2); Mo: 6×6 operator.\n"
-    "3 neg.  Exact.\n",
-   1, 1, inertia_matrix_loops},
-  {"product_Bs", "(10),(6)->(6)",
-    "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.\n"
-    "\n"
-    "(10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
-    "zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).\n"
-    "24 mul, 18 add.  Error <= u |result| + (lin: 2, ang: 3) u S, S the sum of the |terms| of the\n"
-    "expanded formula; barring over- and underflow.\n",
-   2, 1, product_Bs_loops},
-  {"inertia_energy", "(10),(6)->()",
-    "s·B s / 2, the kinetic energy in J of a body that moves with s.\n"
-    "\n"
-    "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
-    "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "28 mul, 17 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
-    "formula; barring over- and underflow.\n",
-   2, 1, inertia_energy_loops},
-  {"inertia_shifted", "(3),(10)->(10)",
-    "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.\n"
-    "\n"
-    "(3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the\n"
-    "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "18 mul, 18 add.  Error <= u |result| + (m: 0, h: 1, I: 4) u S, S the sum of the |terms| of\n"
+    "(10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
+    "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
+    "54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
-   2, 1, inertia_shifted_loops},
-  {"inertia_transformed", "(3,4),(10)->(10)",
-    "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.\n"
+   2, 1, inertia_rotated_loops},
+  {"inertia_rotate", "(10),(3,3)->(10)",
+    "self = self turned by R: m, R mt, R I R^T.\n"
     "\n"
-    "(3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in\n"
-    "kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "72 mul, 54 add.  Error <= u |result| + (m: 0, h: 3, I: 6) u S, S the sum of the |terms| of\n"
+    "(10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
+    "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
+    "54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of\n"
+    "the expanded formula; barring over- and underflow.\n",
+   2, 1, inertia_rotate_loops},
+  {"inertia_translated", "(10),(3)->(10)",
+    "Jo = Ji moved by t: m, mt + m t, I.\n"
+    "\n"
+    "(10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
+    "xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
+    "3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of\n"
+    "the expanded formula; barring over- and underflow.\n",
+   2, 1, inertia_translated_loops},
+  {"inertia_translate", "(10),(3)->(10)",
+    "self = self moved by t: m, mt + m t, I.\n"
+    "\n"
+    "(10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,\n"
+    "yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
+    "3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of\n"
+    "the expanded formula; barring over- and underflow.\n",
+   2, 1, inertia_translate_loops},
+  {"inertia_transformed", "(10),(3,4)->(10)",
+    "Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.\n"
+    "\n"
+    "(10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
+    "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
+    "57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of\n"
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_transformed_loops},
-  {"inertia_consistency", "(10)->()",
-    "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:\n"
-    "positive exactly if a body of positive density has this inertia.\n"
+  {"inertia_transform", "(10),(3,4)->(10)",
+    "self = self moved by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
-    "(10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,\n"
-    "xz, yz in kg m^2); pivot: number.\n"
-    "13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.\n",
-   1, 1, inertia_consistency_loops},
+    "(10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
+    "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
+    "57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of\n"
+    "the expanded formula; barring over- and underflow.\n",
+   2, 1, inertia_transform_loops},
+  {"inertia_merge", "(10),(3),(10),(3),(3,4)->(10)",
+    "Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,\n"
+    "I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;\n"
+    "t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN\n"
+    "where m_i + m_j = 0.\n"
+    "\n"
+    "(10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement\n"
+    "[R | t], R rotation, t in m.\n"
+    "67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses\n"
+    "that are not negative, barring over- and underflow.\n",
+   5, 1, inertia_merge_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

@@ -7,8 +7,230 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
-/* (10),()->(10),(10) */
-INLINED void inertia_scale_double_over(
+/* (),(3),(),(),(),(),(),()->(10),(10) */
+INLINED void inertia_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  char *const p6 = data[6];
+  char *const p7 = data[7];
+  char *const p8 = data[8];
+  char *const p9 = data[9];
+  if (n <= 0) {
+    return;
+  }
+  double m;
+  load_scalar_double(&m, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t t;
+    double Ixx;
+    double Iyy;
+    double Izz;
+    double Ixy;
+    double Iyz;
+    double Izx;
+    ksl_inertia_t J;
+    ksl_inertia_t J_bound;
+    if (step[0] != 0) {
+      load_scalar_double(&m, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&t, p1 + i * step[1], core + 0);
+    load_scalar_double(&Ixx, p2 + i * step[2], core + 1);
+    load_scalar_double(&Iyy, p3 + i * step[3], core + 1);
+    load_scalar_double(&Izz, p4 + i * step[4], core + 1);
+    load_scalar_double(&Ixy, p5 + i * step[5], core + 1);
+    load_scalar_double(&Iyz, p6 + i * step[6], core + 1);
+    load_scalar_double(&Izx, p7 + i * step[7], core + 1);
+    J = ksl_inertia_certified(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx, &J_bound);
+    store_inertia_double(&J, p8 + i * step[8], core + 1);
+    store_inertia_double(&J_bound, p9 + i * step[9], core + 2);
+  }
+}
+
+static void inertia_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 8, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_double_over(
+        data, n[0], dense_1, dense_1 + 10);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_double_over(
+        data, n[0], dense_2, dense_2 + 10);
+    return;
+  }
+  inertia_double_over(data, n[0], step, step + 10);
+}
+
+/* (),(3),(),(),(),(),(),()->(10),(10) */
+INLINED void inertia_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  char *const p5 = data[5];
+  char *const p6 = data[6];
+  char *const p7 = data[7];
+  char *const p8 = data[8];
+  char *const p9 = data[9];
+  if (n <= 0) {
+    return;
+  }
+  float m;
+  load_scalar_single(&m, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t t;
+    float Ixx;
+    float Iyy;
+    float Izz;
+    float Ixy;
+    float Iyz;
+    float Izx;
+    ksl_inertiaf_t J;
+    ksl_inertiaf_t J_bound;
+    if (step[0] != 0) {
+      load_scalar_single(&m, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&t, p1 + i * step[1], core + 0);
+    load_scalar_single(&Ixx, p2 + i * step[2], core + 1);
+    load_scalar_single(&Iyy, p3 + i * step[3], core + 1);
+    load_scalar_single(&Izz, p4 + i * step[4], core + 1);
+    load_scalar_single(&Ixy, p5 + i * step[5], core + 1);
+    load_scalar_single(&Iyz, p6 + i * step[6], core + 1);
+    load_scalar_single(&Izx, p7 + i * step[7], core + 1);
+    J = ksl_inertiaf_certified(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx, &J_bound);
+    store_inertia_single(&J, p8 + i * step[8], core + 1);
+    store_inertia_single(&J_bound, p9 + i * step[9], core + 2);
+  }
+}
+
+static void inertia_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 4, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_single_over(
+        data, n[0], dense_1, dense_1 + 10);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_single_over(
+        data, n[0], dense_2, dense_2 + 10);
+    return;
+  }
+  inertia_single_over(data, n[0], step, step + 10);
+}
+
+static PyUFuncGenericFunction inertia_loops[] = {
+    inertia_double, inertia_single};
+
+/* (10),(3,3)->(10),(10) */
+INLINED void inertia_rotated_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    ksl_inertia_t Jo;
+    ksl_inertia_t Jo_bound;
+    if (step[0] != 0) {
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    ksl_inertia_rotated_certified(&Ji, &R, &Jo, &Jo_bound);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
+    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void inertia_rotated_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 80, 72, 80, 80, 8, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_rotated_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 80, 80, 8, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_rotated_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  inertia_rotated_double_over(data, n[0], step, step + 4);
+}
+
+/* (10),(3,3)->(10),(10) */
+INLINED void inertia_rotated_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    ksl_inertiaf_t Jo;
+    ksl_inertiaf_t Jo_bound;
+    if (step[0] != 0) {
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
+    }
+    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    ksl_inertiaf_rotated_certified(&Ji, &R, &Jo, &Jo_bound);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
+    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void inertia_rotated_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 40, 36, 40, 40, 4, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_rotated_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 40, 40, 4, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    inertia_rotated_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  inertia_rotated_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction inertia_rotated_loops[] = {
+    inertia_rotated_double, inertia_rotated_single};
+
+/* (10),(3,3)->(10),(10) */
+INLINED void inertia_rotate_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -17,30 +239,30 @@ INLINED void inertia_scale_double_over(
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_inertia_t self;
-    double a;
+    ksl_mat3x3_t R;
     ksl_inertia_t self_bound;
     load_inertia_double(&self, p0 + i * step[0], core + 0);
-    load_scalar_double(&a, p1 + i * step[1], core + 1);
-    ksl_inertia_scale_certified(&self, a, &self_bound);
-    store_inertia_double(&self, p2 + i * step[2], core + 1);
-    store_inertia_double(&self_bound, p3 + i * step[3], core + 2);
+    load_mat3x3_double(&R, p1 + i * step[1], core + 1);
+    ksl_inertia_rotate_certified(&self, &R, &self_bound);
+    store_inertia_double(&self, p2 + i * step[2], core + 3);
+    store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
   }
 }
 
-static void inertia_scale_double(
+static void inertia_rotate_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 8, 80, 80, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 72, 80, 80, 8, 24, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_scale_double_over(
+    inertia_rotate_double_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  inertia_scale_double_over(data, n[0], step, step + 4);
+  inertia_rotate_double_over(data, n[0], step, step + 4);
 }
 
-/* (10),()->(10),(10) */
-INLINED void inertia_scale_single_over(
+/* (10),(3,3)->(10),(10) */
+INLINED void inertia_rotate_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -49,33 +271,33 @@ INLINED void inertia_scale_single_over(
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
     ksl_inertiaf_t self;
-    float a;
+    ksl_mat3x3f_t R;
     ksl_inertiaf_t self_bound;
     load_inertia_single(&self, p0 + i * step[0], core + 0);
-    load_scalar_single(&a, p1 + i * step[1], core + 1);
-    ksl_inertiaf_scale_certified(&self, a, &self_bound);
-    store_inertia_single(&self, p2 + i * step[2], core + 1);
-    store_inertia_single(&self_bound, p3 + i * step[3], core + 2);
+    load_mat3x3_single(&R, p1 + i * step[1], core + 1);
+    ksl_inertiaf_rotate_certified(&self, &R, &self_bound);
+    store_inertia_single(&self, p2 + i * step[2], core + 3);
+    store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
   }
 }
 
-static void inertia_scale_single(
+static void inertia_rotate_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 4, 40, 40, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 36, 40, 40, 4, 12, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_scale_single_over(
+    inertia_rotate_single_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  inertia_scale_single_over(data, n[0], step, step + 4);
+  inertia_rotate_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction inertia_scale_loops[] = {
-    inertia_scale_double, inertia_scale_single};
+static PyUFuncGenericFunction inertia_rotate_loops[] = {
+    inertia_rotate_double, inertia_rotate_single};
 
-/* (10),(10)->(10),(10) */
-INLINED void add_BB_double_over(
+/* (10),(3)->(10),(10) */
+INLINED void inertia_translated_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -84,43 +306,43 @@ INLINED void add_BB_double_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertia_t B1;
-  load_inertia_double(&B1, p0, core + 0);
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B2;
-    ksl_inertia_t Bo;
-    ksl_inertia_t Bo_bound;
+    ksl_vec3_t t;
+    ksl_inertia_t Jo;
+    ksl_inertia_t Jo_bound;
     if (step[0] != 0) {
-      load_inertia_double(&B1, p0 + i * step[0], core + 0);
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_double(&B2, p1 + i * step[1], core + 1);
-    ksl_add_BB_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
+    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    ksl_inertia_translated_certified(&Ji, &t, &Jo, &Jo_bound);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 2);
+    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 3);
   }
 }
 
-static void add_BB_double(
+static void inertia_translated_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 80, 8, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 24, 80, 80, 8, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_double_over(
+    inertia_translated_double_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
+  static const npy_intp dense_2[] = { 0, 24, 80, 80, 8, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_double_over(
+    inertia_translated_double_over(
         data, n[0], dense_2, dense_2 + 4);
     return;
   }
-  add_BB_double_over(data, n[0], step, step + 4);
+  inertia_translated_double_over(data, n[0], step, step + 4);
 }
 
-/* (10),(10)->(10),(10) */
-INLINED void add_BB_single_over(
+/* (10),(3)->(10),(10) */
+INLINED void inertia_translated_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
@@ -129,516 +351,112 @@ INLINED void add_BB_single_over(
   if (n <= 0) {
     return;
   }
-  ksl_inertiaf_t B1;
-  load_inertia_single(&B1, p0, core + 0);
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B2;
-    ksl_inertiaf_t Bo;
-    ksl_inertiaf_t Bo_bound;
+    ksl_vec3f_t t;
+    ksl_inertiaf_t Jo;
+    ksl_inertiaf_t Jo_bound;
     if (step[0] != 0) {
-      load_inertia_single(&B1, p0 + i * step[0], core + 0);
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_single(&B2, p1 + i * step[1], core + 1);
-    ksl_add_BBf_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
+    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    ksl_inertiaf_translated_certified(&Ji, &t, &Jo, &Jo_bound);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 2);
+    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 3);
   }
 }
 
-static void add_BB_single(
+static void inertia_translated_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 40, 4, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 12, 40, 40, 4, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    add_BB_single_over(
+    inertia_translated_single_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
+  static const npy_intp dense_2[] = { 0, 12, 40, 40, 4, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    add_BB_single_over(
+    inertia_translated_single_over(
         data, n[0], dense_2, dense_2 + 4);
     return;
   }
-  add_BB_single_over(data, n[0], step, step + 4);
+  inertia_translated_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction add_BB_loops[] = {
-    add_BB_double, add_BB_single};
+static PyUFuncGenericFunction inertia_translated_loops[] = {
+    inertia_translated_double, inertia_translated_single};
 
-/* (10),(10)->(10),(10) */
-INLINED void subtract_BB_double_over(
+/* (10),(3)->(10),(10) */
+INLINED void inertia_translate_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
   char *const p2 = data[2];
   char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B1;
-  load_inertia_double(&B1, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B2;
-    ksl_inertia_t Bo;
-    ksl_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&B1, p0 + i * step[0], core + 0);
-    }
-    load_inertia_double(&B2, p1 + i * step[1], core + 1);
-    ksl_subtract_BB_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
+    ksl_inertia_t self;
+    ksl_vec3_t t;
+    ksl_inertia_t self_bound;
+    load_inertia_double(&self, p0 + i * step[0], core + 0);
+    load_vec3_double(&t, p1 + i * step[1], core + 1);
+    ksl_inertia_translate_certified(&self, &t, &self_bound);
+    store_inertia_double(&self, p2 + i * step[2], core + 2);
+    store_inertia_double(&self_bound, p3 + i * step[3], core + 3);
   }
 }
 
-static void subtract_BB_double(
+static void inertia_translate_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 80, 80, 80, 80, 8, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 24, 80, 80, 8, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_double_over(
+    inertia_translate_double_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  subtract_BB_double_over(data, n[0], step, step + 4);
+  inertia_translate_double_over(data, n[0], step, step + 4);
 }
 
-/* (10),(10)->(10),(10) */
-INLINED void subtract_BB_single_over(
+/* (10),(3)->(10),(10) */
+INLINED void inertia_translate_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
   char *const p1 = data[1];
   char *const p2 = data[2];
   char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B1;
-  load_inertia_single(&B1, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B2;
-    ksl_inertiaf_t Bo;
-    ksl_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&B1, p0 + i * step[0], core + 0);
-    }
-    load_inertia_single(&B2, p1 + i * step[1], core + 1);
-    ksl_subtract_BBf_certified(&B1, &B2, &Bo, &Bo_bound);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
+    ksl_inertiaf_t self;
+    ksl_vec3f_t t;
+    ksl_inertiaf_t self_bound;
+    load_inertia_single(&self, p0 + i * step[0], core + 0);
+    load_vec3_single(&t, p1 + i * step[1], core + 1);
+    ksl_inertiaf_translate_certified(&self, &t, &self_bound);
+    store_inertia_single(&self, p2 + i * step[2], core + 2);
+    store_inertia_single(&self_bound, p3 + i * step[3], core + 3);
   }
 }
 
-static void subtract_BB_single(
+static void inertia_translate_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 40, 40, 40, 40, 4, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 12, 40, 40, 4, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    subtract_BB_single_over(
+    inertia_translate_single_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    subtract_BB_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  subtract_BB_single_over(data, n[0], step, step + 4);
+  inertia_translate_single_over(data, n[0], step, step + 4);
 }
 
-static PyUFuncGenericFunction subtract_BB_loops[] = {
-    subtract_BB_double, subtract_BB_single};
+static PyUFuncGenericFunction inertia_translate_loops[] = {
+    inertia_translate_double, inertia_translate_single};
 
-/* (),(3),(3,3)->(10),(10) */
-INLINED void inertia_from_com_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  double m;
-  load_scalar_double(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3_t com;
-    ksl_mat3x3_t Ic;
-    ksl_inertia_t Bo;
-    ksl_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_scalar_double(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_double(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_double(&Ic, p2 + i * step[2], core + 1);
-    ksl_inertia_from_com_certified(m, &com, &Ic, &Bo, &Bo_bound);
-    store_inertia_double(&Bo, p3 + i * step[3], core + 3);
-    store_inertia_double(&Bo_bound, p4 + i * step[4], core + 4);
-  }
-}
-
-static void inertia_from_com_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 8, 24, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_com_double_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 72, 80, 80, 8, 24, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_com_double_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  inertia_from_com_double_over(data, n[0], step, step + 5);
-}
-
-/* (),(3),(3,3)->(10),(10) */
-INLINED void inertia_from_com_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  char *const p4 = data[4];
-  if (n <= 0) {
-    return;
-  }
-  float m;
-  load_scalar_single(&m, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_vec3f_t com;
-    ksl_mat3x3f_t Ic;
-    ksl_inertiaf_t Bo;
-    ksl_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_scalar_single(&m, p0 + i * step[0], core + 0);
-    }
-    load_vec3_single(&com, p1 + i * step[1], core + 0);
-    load_mat3x3_single(&Ic, p2 + i * step[2], core + 1);
-    ksl_inertiaf_from_com_certified(m, &com, &Ic, &Bo, &Bo_bound);
-    store_inertia_single(&Bo, p3 + i * step[3], core + 3);
-    store_inertia_single(&Bo_bound, p4 + i * step[4], core + 4);
-  }
-}
-
-static void inertia_from_com_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 4, 12, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_from_com_single_over(
-        data, n[0], dense_1, dense_1 + 5);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 12, 36, 40, 40, 4, 12, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_from_com_single_over(
-        data, n[0], dense_2, dense_2 + 5);
-    return;
-  }
-  inertia_from_com_single_over(data, n[0], step, step + 5);
-}
-
-static PyUFuncGenericFunction inertia_from_com_loops[] = {
-    inertia_from_com_double, inertia_from_com_single};
-
-/* (10),(6)->(6),(6) */
-INLINED void product_Bs_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s;
-    ksl_coscrew_t co;
-    ksl_coscrew_t co_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
-    ksl_product_Bs_certified(&B, &s, &co, &co_bound);
-    store_coscrew_double(&co, p2 + i * step[2], core + 2);
-    store_coscrew_double(&co_bound, p3 + i * step[3], core + 3);
-  }
-}
-
-static void product_Bs_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 48, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  product_Bs_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(6)->(6),(6) */
-INLINED void product_Bs_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s;
-    ksl_coscrewf_t co;
-    ksl_coscrewf_t co_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
-    ksl_product_Bsf_certified(&B, &s, &co, &co_bound);
-    store_coscrew_single(&co, p2 + i * step[2], core + 2);
-    store_coscrew_single(&co_bound, p3 + i * step[3], core + 3);
-  }
-}
-
-static void product_Bs_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 24, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    product_Bs_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  product_Bs_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction product_Bs_loops[] = {
-    product_Bs_double, product_Bs_single};
-
-/* (10),(6)->(),() */
-INLINED void inertia_energy_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertia_t B;
-  load_inertia_double(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screw_t s;
-    double energy;
-    double energy_bound;
-    if (step[0] != 0) {
-      load_inertia_double(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_double(&s, p1 + i * step[1], core + 1);
-    energy = ksl_inertia_energy_certified(&B, &s, &energy_bound);
-    store_scalar_double(&energy, p2 + i * step[2], core + 2);
-    store_scalar_double(&energy_bound, p3 + i * step[3], core + 2);
-  }
-}
-
-static void inertia_energy_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 80, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_energy_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 48, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_energy_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_energy_double_over(data, n[0], step, step + 4);
-}
-
-/* (10),(6)->(),() */
-INLINED void inertia_energy_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_inertiaf_t B;
-  load_inertia_single(&B, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_screwf_t s;
-    float energy;
-    float energy_bound;
-    if (step[0] != 0) {
-      load_inertia_single(&B, p0 + i * step[0], core + 0);
-    }
-    load_screw_single(&s, p1 + i * step[1], core + 1);
-    energy = ksl_inertiaf_energy_certified(&B, &s, &energy_bound);
-    store_scalar_single(&energy, p2 + i * step[2], core + 2);
-    store_scalar_single(&energy_bound, p3 + i * step[3], core + 2);
-  }
-}
-
-static void inertia_energy_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 40, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_energy_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 24, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_energy_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_energy_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_energy_loops[] = {
-    inertia_energy_double, inertia_energy_single};
-
-/* (3),(10)->(10),(10) */
-INLINED void inertia_shifted_double_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3_t t;
-  load_vec3_double(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B;
-    ksl_inertia_t Bo;
-    ksl_inertia_t Bo_bound;
-    if (step[0] != 0) {
-      load_vec3_double(&t, p0 + i * step[0], core + 0);
-    }
-    load_inertia_double(&B, p1 + i * step[1], core + 1);
-    ksl_inertia_shifted_certified(&t, &B, &Bo, &Bo_bound);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_double(&Bo_bound, p3 + i * step[3], core + 3);
-  }
-}
-
-static void inertia_shifted_double(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 24, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_shifted_double_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 8, 8, 8, 8 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_shifted_double_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_shifted_double_over(data, n[0], step, step + 4);
-}
-
-/* (3),(10)->(10),(10) */
-INLINED void inertia_shifted_single_over(
-    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  char *const p0 = data[0];
-  char *const p1 = data[1];
-  char *const p2 = data[2];
-  char *const p3 = data[3];
-  if (n <= 0) {
-    return;
-  }
-  ksl_vec3f_t t;
-  load_vec3_single(&t, p0, core + 0);
-  INDEPENDENT
-  for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B;
-    ksl_inertiaf_t Bo;
-    ksl_inertiaf_t Bo_bound;
-    if (step[0] != 0) {
-      load_vec3_single(&t, p0 + i * step[0], core + 0);
-    }
-    load_inertia_single(&B, p1 + i * step[1], core + 1);
-    ksl_inertiaf_shifted_certified(&t, &B, &Bo, &Bo_bound);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 2);
-    store_inertia_single(&Bo_bound, p3 + i * step[3], core + 3);
-  }
-}
-
-static void inertia_shifted_single(
-    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
-  (void)unused;
-  static const npy_intp dense_1[] = { 12, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
-    inertia_shifted_single_over(
-        data, n[0], dense_1, dense_1 + 4);
-    return;
-  }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 4, 4, 4, 4 };
-  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
-    inertia_shifted_single_over(
-        data, n[0], dense_2, dense_2 + 4);
-    return;
-  }
-  inertia_shifted_single_over(data, n[0], step, step + 4);
-}
-
-static PyUFuncGenericFunction inertia_shifted_loops[] = {
-    inertia_shifted_double, inertia_shifted_single};
-
-/* (3,4),(10)->(10),(10) */
+/* (10),(3,4)->(10),(10) */
 INLINED void inertia_transformed_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -648,33 +466,33 @@ INLINED void inertia_transformed_double_over(
   if (n <= 0) {
     return;
   }
-  ksl_SE3_t D;
-  load_SE3_double(&D, p0, core + 0);
+  ksl_inertia_t Ji;
+  load_inertia_double(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertia_t B;
-    ksl_inertia_t Bo;
-    ksl_inertia_t Bo_bound;
+    ksl_SE3_t D;
+    ksl_inertia_t Jo;
+    ksl_inertia_t Jo_bound;
     if (step[0] != 0) {
-      load_SE3_double(&D, p0 + i * step[0], core + 0);
+      load_inertia_double(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_double(&B, p1 + i * step[1], core + 2);
-    ksl_inertia_transformed_certified(&D, &B, &Bo, &Bo_bound);
-    store_inertia_double(&Bo, p2 + i * step[2], core + 3);
-    store_inertia_double(&Bo_bound, p3 + i * step[3], core + 4);
+    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    ksl_inertia_transformed_certified(&Ji, &D, &Jo, &Jo_bound);
+    store_inertia_double(&Jo, p2 + i * step[2], core + 3);
+    store_inertia_double(&Jo_bound, p3 + i * step[3], core + 4);
   }
 }
 
 static void inertia_transformed_double(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 96, 80, 80, 80, 32, 8, 8, 8, 8 };
+  static const npy_intp dense_1[] = { 80, 96, 80, 80, 8, 32, 8, 8, 8 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     inertia_transformed_double_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 80, 80, 80, 32, 8, 8, 8, 8 };
+  static const npy_intp dense_2[] = { 0, 96, 80, 80, 8, 32, 8, 8, 8 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
     inertia_transformed_double_over(
         data, n[0], dense_2, dense_2 + 4);
@@ -683,7 +501,7 @@ static void inertia_transformed_double(
   inertia_transformed_double_over(data, n[0], step, step + 4);
 }
 
-/* (3,4),(10)->(10),(10) */
+/* (10),(3,4)->(10),(10) */
 INLINED void inertia_transformed_single_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -693,33 +511,33 @@ INLINED void inertia_transformed_single_over(
   if (n <= 0) {
     return;
   }
-  ksl_SE3f_t D;
-  load_SE3_single(&D, p0, core + 0);
+  ksl_inertiaf_t Ji;
+  load_inertia_single(&Ji, p0, core + 0);
   INDEPENDENT
   for (npy_intp i = 0; i < n; i++) {
-    ksl_inertiaf_t B;
-    ksl_inertiaf_t Bo;
-    ksl_inertiaf_t Bo_bound;
+    ksl_SE3f_t D;
+    ksl_inertiaf_t Jo;
+    ksl_inertiaf_t Jo_bound;
     if (step[0] != 0) {
-      load_SE3_single(&D, p0 + i * step[0], core + 0);
+      load_inertia_single(&Ji, p0 + i * step[0], core + 0);
     }
-    load_inertia_single(&B, p1 + i * step[1], core + 2);
-    ksl_inertiaf_transformed_certified(&D, &B, &Bo, &Bo_bound);
-    store_inertia_single(&Bo, p2 + i * step[2], core + 3);
-    store_inertia_single(&Bo_bound, p3 + i * step[3], core + 4);
+    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    ksl_inertiaf_transformed_certified(&Ji, &D, &Jo, &Jo_bound);
+    store_inertia_single(&Jo, p2 + i * step[2], core + 3);
+    store_inertia_single(&Jo_bound, p3 + i * step[3], core + 4);
   }
 }
 
 static void inertia_transformed_single(
     char **data, const npy_intp *n, const npy_intp *step, void *unused) {
   (void)unused;
-  static const npy_intp dense_1[] = { 48, 40, 40, 40, 16, 4, 4, 4, 4 };
+  static const npy_intp dense_1[] = { 40, 48, 40, 40, 4, 16, 4, 4, 4 };
   if (memcmp(step, dense_1, sizeof dense_1) == 0) {
     inertia_transformed_single_over(
         data, n[0], dense_1, dense_1 + 4);
     return;
   }
-  static const npy_intp dense_2[] = { 0, 40, 40, 40, 16, 4, 4, 4, 4 };
+  static const npy_intp dense_2[] = { 0, 48, 40, 40, 4, 16, 4, 4, 4 };
   if (memcmp(step, dense_2, sizeof dense_2) == 0) {
     inertia_transformed_single_over(
         data, n[0], dense_2, dense_2 + 4);
@@ -731,72 +549,130 @@ static void inertia_transformed_single(
 static PyUFuncGenericFunction inertia_transformed_loops[] = {
     inertia_transformed_double, inertia_transformed_single};
 
+/* (10),(3,4)->(10),(10) */
+INLINED void inertia_transform_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_inertia_t self;
+    ksl_SE3_t D;
+    ksl_inertia_t self_bound;
+    load_inertia_double(&self, p0 + i * step[0], core + 0);
+    load_SE3_double(&D, p1 + i * step[1], core + 1);
+    ksl_inertia_transform_certified(&self, &D, &self_bound);
+    store_inertia_double(&self, p2 + i * step[2], core + 3);
+    store_inertia_double(&self_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void inertia_transform_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 80, 96, 80, 80, 8, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_transform_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  inertia_transform_double_over(data, n[0], step, step + 4);
+}
+
+/* (10),(3,4)->(10),(10) */
+INLINED void inertia_transform_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_inertiaf_t self;
+    ksl_SE3f_t D;
+    ksl_inertiaf_t self_bound;
+    load_inertia_single(&self, p0 + i * step[0], core + 0);
+    load_SE3_single(&D, p1 + i * step[1], core + 1);
+    ksl_inertiaf_transform_certified(&self, &D, &self_bound);
+    store_inertia_single(&self, p2 + i * step[2], core + 3);
+    store_inertia_single(&self_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void inertia_transform_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 40, 48, 40, 40, 4, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    inertia_transform_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  inertia_transform_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction inertia_transform_loops[] = {
+    inertia_transform_double, inertia_transform_single};
+
 const coscrew_gufunc TABLE(inertia)[] = {
-  {"inertia_scale", "(10),()->(10),(10)",
-    "self = a self; |error of self| <= self_bound unless inf or NaN.\n"
+  {"inertia", "(),(3),(),(),(),(),(),()->(10),(10)",
+    "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the\n"
+    "moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or\n"
+    "NaN.\n"
     "\n"
-    "(10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about\n"
-    "the origin, xx, yy, zz, xy, xz, yz in kg m^2); a: number.\n"
-    "20 mul, 10 add, 10 abs.\n",
-   2, 2, inertia_scale_loops},
-  {"add_BB", "(10),(10)->(10),(10)",
-    "Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.\n"
+    "(),(3),(),(),(),(),(),()->(10),(10).  m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J,\n"
+    "J_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,\n"
+    "yz, zx in kg m^2).\n"
+    "6 mul, 3 add, 3 abs.\n",
+   8, 2, inertia_loops},
+  {"inertia_rotated", "(10),(3,3)->(10),(10)",
+    "Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.\n"
     "\n"
-    "(10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I\n"
-    "about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "10 mul, 10 add, 10 abs.\n",
-   2, 2, add_BB_loops},
-  {"subtract_BB", "(10),(10)->(10),(10)",
-    "Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.\n"
+    "(10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
+    "81 mul, 90 add, 45 abs.\n",
+   2, 2, inertia_rotated_loops},
+  {"inertia_rotate", "(10),(3,3)->(10),(10)",
+    "self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.\n"
     "\n"
-    "(10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I\n"
-    "about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "10 mul, 10 add, 10 abs.\n",
-   2, 2, subtract_BB_loops},
-  {"inertia_from_com", "(),(3),(3,3)->(10),(10)",
-    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix\n"
-    "the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf\n"
+    "(10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
+    "81 mul, 90 add, 45 abs.\n",
+   2, 2, inertia_rotate_loops},
+  {"inertia_translated", "(10),(3)->(10),(10)",
+    "Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.\n"
+    "\n"
+    "(10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
+    "6 mul, 9 add, 6 abs.\n",
+   2, 2, inertia_translated_loops},
+  {"inertia_translate", "(10),(3)->(10),(10)",
+    "self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.\n"
+    "\n"
+    "(10),(3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
+    "6 mul, 9 add, 6 abs.\n",
+   2, 2, inertia_translate_loops},
+  {"inertia_transformed", "(10),(3,4)->(10),(10)",
+    "Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf\n"
     "or NaN.\n"
     "\n"
-    "(),(3),(3,3)->(10),(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo,\n"
-    "Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,\n"
-    "yz in kg m^2).\n"
-    "24 mul, 27 add, 12 abs.\n",
-   3, 2, inertia_from_com_loops},
-  {"product_Bs", "(10),(6)->(6),(6)",
-    "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of\n"
-    "co| <= co_bound unless inf or NaN.\n"
-    "\n"
-    "(10),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,\n"
-    "yy, zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in\n"
-    "N; τ in N m).\n"
-    "30 mul, 42 add, 24 abs.\n",
-   2, 2, product_Bs_loops},
-  {"inertia_energy", "(10),(6)->(),()",
-    "s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=\n"
-    "energy_bound unless inf or NaN.\n"
-    "\n"
-    "(10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,\n"
-    "zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.\n"
-    "39 mul, 45 add, 24 abs.\n",
-   2, 2, inertia_energy_loops},
-  {"inertia_shifted", "(3),(10)->(10),(10)",
-    "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound\n"
+    "(10),(3,4)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t\n"
+    "in m.\n"
+    "84 mul, 96 add, 48 abs.\n",
+   2, 2, inertia_transformed_loops},
+  {"inertia_transform", "(10),(3,4)->(10),(10)",
+    "self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound\n"
     "unless inf or NaN.\n"
     "\n"
-    "(3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;\n"
-    "I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "42 mul, 54 add, 15 abs.\n",
-   2, 2, inertia_shifted_loops},
-  {"inertia_transformed", "(3,4),(10)->(10),(10)",
-    "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=\n"
-    "Bo_bound unless inf or NaN.\n"
-    "\n"
-    "(3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:\n"
-    "spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg\n"
-    "m^2).\n"
-    "114 mul, 135 add, 51 abs.\n",
-   2, 2, inertia_transformed_loops},
+    "(10),(3,4)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the\n"
+    "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t\n"
+    "in m.\n"
+    "84 mul, 96 add, 48 abs.\n",
+   2, 2, inertia_transform_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

@@ -7,13 +7,14 @@
 static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_vec4_gufuncs,
     coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_matrix_gufuncs, coscrew_screw_gufuncs,
     coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs,
-    coscrew_inertia_gufuncs};
+    coscrew_inertia_gufuncs, coscrew_spatial_inertia_gufuncs};
 
 #if COSCREW_HAS_AVX2
 static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2,
     coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
     coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2,
-    coscrew_exponential_gufuncs_avx2, coscrew_inertia_gufuncs_avx2};
+    coscrew_exponential_gufuncs_avx2, coscrew_inertia_gufuncs_avx2,
+    coscrew_spatial_inertia_gufuncs_avx2};
 #endif
 
 /* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
@@ -29,7 +30,7 @@ static const coscrew_gufunc *const *best_families(void) {
 }
 
 /* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
-enum { MOST_ARGUMENTS = 5, LOOPS = 2 };
+enum { MOST_ARGUMENTS = 10, LOOPS = 2 };
 static void *no_data[LOOPS];
 
 static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
@@ -76,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "75d453793a6452c2") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "dc3c70ce9e068e6b") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "75d453793a6452c2")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "dc3c70ce9e068e6b")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -194,14 +194,21 @@ if COMPILED:
         omega_to_dquaternion,
         mat3x3_orthonormalize,
         mat3x3_orthonormalized,
-        inertia_scale,
+        inertia,
+        inertia_rotated,
+        inertia_rotate,
+        inertia_translated,
+        inertia_translate,
+        inertia_transformed,
+        inertia_transform,
+        spatial_inertia_scale,
         add_BB,
         subtract_BB,
-        inertia_from_com,
+        spatial_inertia_from_com,
         product_Bs,
-        inertia_energy,
-        inertia_shifted,
-        inertia_transformed,
+        spatial_inertia_energy,
+        spatial_inertia_shifted,
+        spatial_inertia_transformed,
     )
 else:
     from coscrew.certified._dispatch import (
@@ -382,14 +389,21 @@ else:
         omega_to_dquaternion,
         mat3x3_orthonormalize,
         mat3x3_orthonormalized,
-        inertia_scale,
+        inertia,
+        inertia_rotated,
+        inertia_rotate,
+        inertia_translated,
+        inertia_translate,
+        inertia_transformed,
+        inertia_transform,
+        spatial_inertia_scale,
         add_BB,
         subtract_BB,
-        inertia_from_com,
+        spatial_inertia_from_com,
         product_Bs,
-        inertia_energy,
-        inertia_shifted,
-        inertia_transformed,
+        spatial_inertia_energy,
+        spatial_inertia_shifted,
+        spatial_inertia_transformed,
     )
 
 __all__ = [
@@ -571,12 +585,19 @@ __all__ = [
     "omega_to_dquaternion",
     "mat3x3_orthonormalize",
     "mat3x3_orthonormalized",
-    "inertia_scale",
+    "inertia",
+    "inertia_rotated",
+    "inertia_rotate",
+    "inertia_translated",
+    "inertia_translate",
+    "inertia_transformed",
+    "inertia_transform",
+    "spatial_inertia_scale",
     "add_BB",
     "subtract_BB",
-    "inertia_from_com",
+    "spatial_inertia_from_com",
     "product_Bs",
-    "inertia_energy",
-    "inertia_shifted",
-    "inertia_transformed",
+    "spatial_inertia_energy",
+    "spatial_inertia_shifted",
+    "spatial_inertia_transformed",
 ]

@@ -321,19 +321,32 @@ from coscrew.single.symmetric import (
     mat6x6_solve,
 )
 from coscrew.single.inertia import (
+    inertia,
     inertia_copy,
-    inertia_scale,
+    inertia_rotated,
+    inertia_rotate,
+    inertia_translated,
+    inertia_translate,
+    inertia_transformed,
+    inertia_transform,
+    inertia_merge,
+)
+from coscrew.single.spatial_inertia import (
+    spatial_inertia_copy,
+    spatial_inertia_scale,
     add_BB,
     subtract_BB,
-    inertia_from_com,
-    inertia_com,
-    inertia_about_com,
-    inertia_matrix,
+    spatial_inertia_from_com,
+    spatial_inertia_from_inertia,
+    inertia_from_spatial_inertia,
+    spatial_inertia_com,
+    spatial_inertia_about_com,
+    spatial_inertia_matrix,
     product_Bs,
-    inertia_energy,
-    inertia_shifted,
-    inertia_transformed,
-    inertia_consistency,
+    spatial_inertia_energy,
+    spatial_inertia_shifted,
+    spatial_inertia_transformed,
+    spatial_inertia_consistency,
 )
 
 SE3 = SE3_fromRt

@@ -2248,7 +2248,92 @@ def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | No
     4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved; barring over- and underflow.
     """
 
-def inertia_copy(Bi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+    moments' matrix about it in kg m^2, Ixy = -∫ x y dm.
+
+    (),(3),(),(),(),(),(),()->(10).  m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J:
+    inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+    kg m^2).
+    3 mul.  Error <= u |result|, barring over- and underflow.
+    """
+
+def inertia_copy(Ji: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Jo = Ji.
+
+    (10)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
+    yy, zz, xy, yz, zx in kg m^2).
+    No arithmetic.  Exact.
+    """
+
+def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Jo = Ji turned by R: m, R mt, R I R^T.
+
+    (10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_rotate(self: ArrayLike, R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self turned by R: m, R mt, R I R^T.
+
+    (10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Jo = Ji moved by t: m, mt + m t, I.
+
+    (10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
+    3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_translate(self: ArrayLike, t: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self moved by t: m, mt + m t, I.
+
+    (10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
+    yy, zz, xy, yz, zx in kg m^2); t: vector.
+    3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+
+    (10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+    57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_transform(self: ArrayLike, D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+
+    (10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+    57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of
+    the expanded formula; barring over- and underflow.
+    """
+
+def inertia_merge(Ji: ArrayLike, t_ic: ArrayLike, Jj: ArrayLike, t_jc: ArrayLike, D_ij: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
+    I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
+    t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
+    where m_i + m_j = 0.
+
+    (10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement
+    [R | t], R rotation, t in m.
+    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses
+    that are not negative, barring over- and underflow.
+    """
+
+def spatial_inertia_copy(Bi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Bo = Bi.
 
     (10)->(10).  Bi, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
@@ -2256,7 +2341,7 @@ def inertia_copy(Bi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArra
     No arithmetic.  Exact.
     """
 
-def inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
     (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
@@ -2280,7 +2365,7 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float32] | None = 
     10 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
     the upper triangle): h = m com, I = Ic - m com~ com~.
 
@@ -2290,7 +2375,29 @@ def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[n
     expanded formula; barring over- and underflow.
     """
 
-def inertia_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_from_inertia(J: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m;
+    not a number where m = 0.
+
+    (10)->(10).  J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+    zz, xy, yz, zx in kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the
+    origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
+    barring over- and underflow.
+    """
+
+def inertia_from_spatial_inertia(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m;
+    not a number where m = 0.
+
+    (10)->(10).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2).
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
+    barring over- and underflow.
+    """
+
+def spatial_inertia_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = h / m, the centre of mass in m.
 
     (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2298,7 +2405,7 @@ def inertia_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[
     3 div.  Error <= u |result|, barring over- and underflow.
     """
 
-def inertia_about_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_about_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Ro = I + h~ h~ / m, the second moments about the centre of mass.
 
     (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2306,7 +2413,7 @@ def inertia_about_com(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     6 mul, 9 add, 3 div.
     """
 
-def inertia_matrix(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_matrix(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Mo = [[m 1, -h~], [h~, I]].
 
     (10)->(6,6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2323,7 +2430,7 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...
     expanded formula; barring over- and underflow.
     """
 
-def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """s·B s / 2, the kinetic energy in J of a body that moves with s.
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2332,7 +2439,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] | None =
     formula; barring over- and underflow.
     """
 
-def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
@@ -2341,7 +2448,7 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None 
     the expanded formula; barring over- and underflow.
     """
 
-def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
@@ -2350,7 +2457,7 @@ def inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | N
     the expanded formula; barring over- and underflow.
     """
 
-def inertia_consistency(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+def spatial_inertia_consistency(B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
     positive exactly if a body of positive density has this inertia.
 

@@ -21,6 +21,7 @@
 #include "exponential.h"
 #include "symmetric.h"
 #include "inertia.h"
+#include "spatial_inertia.h"
 #include "ksl_selfcheck.h"
 
 #endif

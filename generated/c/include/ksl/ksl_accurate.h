@@ -16,5 +16,6 @@
 #include "exponential_accurate.h"
 #include "symmetric_accurate.h"
 #include "inertia_accurate.h"
+#include "spatial_inertia_accurate.h"
 
 #endif

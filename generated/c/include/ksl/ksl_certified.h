@@ -15,5 +15,6 @@
 #include "quaternion_certified.h"
 #include "exponential_certified.h"
 #include "inertia_certified.h"
+#include "spatial_inertia_certified.h"
 
 #endif

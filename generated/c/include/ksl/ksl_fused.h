@@ -15,5 +15,6 @@
 #include "quaternion_fused.h"
 #include "exponential_fused.h"
 #include "inertia_fused.h"
+#include "spatial_inertia_fused.h"
 
 #endif

@@ -218,25 +218,57 @@ typedef union ksl_quaternionf_t {
   KSL_VIEW { ksl_vec3f_t r; };
 } ksl_quaternionf_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; double precision. */
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; double precision. */
 typedef union ksl_inertia_t {
+  KSL_VIEW { double at[10]; };
+  KSL_VIEW {
+    double m;
+    ksl_vec3_t mt;
+    double Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    double mass;
+    ksl_vec3_t mr;
+    double diagonal[3];
+    double Iyx, Izy, Ixz;
+  };
+} ksl_inertia_t;
+
+/* inertia: mass m, first moment mt = m c, moments about the centre of mass c; single precision. */
+typedef union ksl_inertiaf_t {
+  KSL_VIEW { float at[10]; };
+  KSL_VIEW {
+    float m;
+    ksl_vec3f_t mt;
+    float Ixx, Iyy, Izz, Ixy, Iyz, Izx;
+  };
+  KSL_VIEW {
+    float mass;
+    ksl_vec3f_t mr;
+    float diagonal[3];
+    float Iyx, Izy, Ixz;
+  };
+} ksl_inertiaf_t;
+
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; double precision. */
+typedef union ksl_spatial_inertia_t {
   KSL_VIEW { double at[10]; };
   KSL_VIEW {
     double m;
     ksl_vec3_t h;
     double xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertia_t;
+} ksl_spatial_inertia_t;
 
-/* spatial inertia: mass m, first moment h = m c, second moments about the origin; single precision. */
-typedef union ksl_inertiaf_t {
+/* spatial inertia: mass m, first moment h = m c, moments about the origin; single precision. */
+typedef union ksl_spatial_inertiaf_t {
   KSL_VIEW { float at[10]; };
   KSL_VIEW {
     float m;
     ksl_vec3f_t h;
     float xx, yy, zz, xy, xz, yz;
   };
-} ksl_inertiaf_t;
+} ksl_spatial_inertiaf_t;
 
 /* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
    of the body as the turns before have left it. */

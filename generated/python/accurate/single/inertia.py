@@ -1,344 +1,248 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
-"""Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+"""Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
 
 In single precision, accurate tier.
 """
 
-from numpy import where
 from coscrew._kernel import wide_kernel as kernel
 
 
-@kernel("(10),()->(10)")
-def inertia_scale(self, a):
-    """self = a self.
+@kernel("(),(3),(),(),(),(),(),()->(10)")
+def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
+    """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+    moments' matrix about it in kg m^2, Ixy = -∫ x y dm.
 
-    (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
-    zz, xy, xz, yz in kg m^2); a: number.
-    10 mul.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
-    barring over- and underflow.
+    (),(3),(),(),(),(),(),()->(10).  m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J:
+    inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+    kg m^2).
+    3 mul.  Error <= u |result| + (m: 0, mt: 1/32, I: 0) u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+    t_0, t_1, t_2 = t
+    J_1 = m * t_0
+    J_2 = m * t_1
+    J_3 = m * t_2
+    return (m, J_1, J_2, J_3, Ixx, Iyy, Izz, Ixy, Iyz, Izx)
+
+
+@kernel("(10),(3,3)->(10)")
+def inertia_rotated(Ji, R):
+    """Jo = Ji turned by R: m, R mt, R I R^T.
+
+    (10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 3/32, I: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    Ji_0, Ji_1, Ji_2, Ji_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9 = Ji
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    RI_0 = Ji_4 * R_00 + Ji_7 * R_01 + Ji_9 * R_02
+    RI_1 = Ji_5 * R_01 + Ji_7 * R_00 + Ji_8 * R_02
+    RI_2 = Ji_6 * R_02 + Ji_8 * R_01 + Ji_9 * R_00
+    RI_3 = Ji_4 * R_10 + Ji_7 * R_11 + Ji_9 * R_12
+    RI_4 = Ji_5 * R_11 + Ji_7 * R_10 + Ji_8 * R_12
+    RI_5 = Ji_6 * R_12 + Ji_8 * R_11 + Ji_9 * R_10
+    RI_6 = Ji_4 * R_20 + Ji_7 * R_21 + Ji_9 * R_22
+    RI_7 = Ji_5 * R_21 + Ji_7 * R_20 + Ji_8 * R_22
+    RI_8 = Ji_6 * R_22 + Ji_8 * R_21 + Ji_9 * R_20
+    Jo_1 = Ji_1 * R_00 + Ji_2 * R_01 + Ji_3 * R_02
+    Jo_2 = Ji_1 * R_10 + Ji_2 * R_11 + Ji_3 * R_12
+    Jo_3 = Ji_1 * R_20 + Ji_2 * R_21 + Ji_3 * R_22
+    Jo_4 = R_00 * RI_0 + R_01 * RI_1 + R_02 * RI_2
+    Jo_5 = R_10 * RI_3 + R_11 * RI_4 + R_12 * RI_5
+    Jo_6 = R_20 * RI_6 + R_21 * RI_7 + R_22 * RI_8
+    Jo_7 = R_10 * RI_0 + R_11 * RI_1 + R_12 * RI_2
+    Jo_8 = R_20 * RI_3 + R_21 * RI_4 + R_22 * RI_5
+    Jo_9 = R_20 * RI_0 + R_21 * RI_1 + R_22 * RI_2
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9)
+
+
+@kernel("(10),(3,3)->(10)")
+def inertia_rotate(self, R):
+    """self = self turned by R: m, R mt, R I R^T.
+
+    (10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    54 mul, 36 add.  Error <= u |result| + (m: 0, mt: 3/32, I: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
     self_0, self_1, self_2, self_3, self_4, self_5, self_6, self_7, self_8, self_9 = self
-    self_0_new = self_0 * a
-    self_1_new = self_1 * a
-    self_2_new = self_2 * a
-    self_3_new = self_3 * a
-    self_4_new = self_4 * a
-    self_5_new = self_5 * a
-    self_6_new = self_6 * a
-    self_7_new = self_7 * a
-    self_8_new = self_8 * a
-    self_9_new = self_9 * a
-    return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
+    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
+    RI_0 = self_4 * R_00 + self_7 * R_01 + self_9 * R_02
+    RI_1 = self_5 * R_01 + self_7 * R_00 + self_8 * R_02
+    RI_2 = self_6 * R_02 + self_8 * R_01 + self_9 * R_00
+    RI_3 = self_4 * R_10 + self_7 * R_11 + self_9 * R_12
+    RI_4 = self_5 * R_11 + self_7 * R_10 + self_8 * R_12
+    RI_5 = self_6 * R_12 + self_8 * R_11 + self_9 * R_10
+    RI_6 = self_4 * R_20 + self_7 * R_21 + self_9 * R_22
+    RI_7 = self_5 * R_21 + self_7 * R_20 + self_8 * R_22
+    RI_8 = self_6 * R_22 + self_8 * R_21 + self_9 * R_20
+    self_1_new = self_1 * R_00 + self_2 * R_01 + self_3 * R_02
+    self_2_new = self_1 * R_10 + self_2 * R_11 + self_3 * R_12
+    self_3_new = self_1 * R_20 + self_2 * R_21 + self_3 * R_22
+    self_4_new = R_00 * RI_0 + R_01 * RI_1 + R_02 * RI_2
+    self_5_new = R_10 * RI_3 + R_11 * RI_4 + R_12 * RI_5
+    self_6_new = R_20 * RI_6 + R_21 * RI_7 + R_22 * RI_8
+    self_7_new = R_10 * RI_0 + R_11 * RI_1 + R_12 * RI_2
+    self_8_new = R_20 * RI_3 + R_21 * RI_4 + R_22 * RI_5
+    self_9_new = R_20 * RI_0 + R_21 * RI_1 + R_22 * RI_2
+    return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
         self_7_new, self_8_new, self_9_new)
 
 
-@kernel("(10),(10)->(10)")
-def add_BB(B1, B2):
-    """Bo = B1 + B2.
+@kernel("(10),(3)->(10)")
+def inertia_translated(Ji, t):
+    """Jo = Ji moved by t: m, mt + m t, I.
 
-    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
-    xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
-    barring over- and underflow.
-    """
-    B1_0, B1_1, B1_2, B1_3, B1_4, B1_5, B1_6, B1_7, B1_8, B1_9 = B1
-    B2_0, B2_1, B2_2, B2_3, B2_4, B2_5, B2_6, B2_7, B2_8, B2_9 = B2
-    Bo_0 = B1_0 + B2_0
-    Bo_1 = B1_1 + B2_1
-    Bo_2 = B1_2 + B2_2
-    Bo_3 = B1_3 + B2_3
-    Bo_4 = B1_4 + B2_4
-    Bo_5 = B1_5 + B2_5
-    Bo_6 = B1_6 + B2_6
-    Bo_7 = B1_7 + B2_7
-    Bo_8 = B1_8 + B2_8
-    Bo_9 = B1_9 + B2_9
-    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
-
-
-@kernel("(10),(10)->(10)")
-def subtract_BB(B1, B2):
-    """Bo = B1 - B2.
-
-    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
-    xx, yy, zz, xy, xz, yz in kg m^2).
-    10 add.  Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula;
-    barring over- and underflow.
-    """
-    B1_0, B1_1, B1_2, B1_3, B1_4, B1_5, B1_6, B1_7, B1_8, B1_9 = B1
-    B2_0, B2_1, B2_2, B2_3, B2_4, B2_5, B2_6, B2_7, B2_8, B2_9 = B2
-    Bo_0 = B1_0 - B2_0
-    Bo_1 = B1_1 - B2_1
-    Bo_2 = B1_2 - B2_2
-    Bo_3 = B1_3 - B2_3
-    Bo_4 = B1_4 - B2_4
-    Bo_5 = B1_5 - B2_5
-    Bo_6 = B1_6 - B2_6
-    Bo_7 = B1_7 - B2_7
-    Bo_8 = B1_8 - B2_8
-    Bo_9 = B1_9 - B2_9
-    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
-
-
-@kernel("(),(3),(3,3)->(10)")
-def inertia_from_com(m, com, Ic):
-    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-    the upper triangle): h = m com, I = Ic - m com~ com~.
-
-    (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
-    inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    9 mul, 9 add.  Error <= u |result| + (m: 0, h: 1/32, I: 1/8) u^2 S, S the sum of the |terms|
+    (10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
+    3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1/16, I: 0) u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
     """
-    com_0, com_1, com_2 = com
-    Ic_00, Ic_01, Ic_02, Ic_10, Ic_11, Ic_12, Ic_20, Ic_21, Ic_22 = Ic
-    h_0 = m * com_0
-    h_1 = m * com_1
-    h_2 = m * com_2
-    squares_0 = com_0 * h_0
-    squares_1 = com_1 * h_1
-    squares_2 = com_2 * h_2
-    Bo_4 = Ic_00 + (squares_1 + squares_2)
-    Bo_5 = Ic_11 + (squares_0 + squares_2)
-    Bo_6 = Ic_22 + (squares_0 + squares_1)
-    Bo_7 = Ic_01 - com_1 * h_0
-    Bo_8 = Ic_02 - com_2 * h_0
-    Bo_9 = Ic_12 - com_2 * h_1
-    return (m, h_0, h_1, h_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
-
-
-@kernel("(10)->(3)")
-def inertia_com(B):
-    """vo = h / m, the centre of mass in m.
-
-    (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
-    xy, xz, yz in kg m^2); vo: vector.
-    3 div.  Error <= u |result|, barring over- and underflow.
-    """
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    vo_0 = B_1 / B_0
-    vo_1 = B_2 / B_0
-    vo_2 = B_3 / B_0
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(10)->(3,3)")
-def inertia_about_com(B):
-    """Ro = I + h~ h~ / m, the second moments about the centre of mass.
-
-    (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
-    xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.
-    6 mul, 9 add, 3 div.
-    """
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    c_0 = B_1 / B_0
-    c_1 = B_2 / B_0
-    c_2 = B_3 / B_0
-    squares_0 = B_1 * c_0
-    squares_1 = B_2 * c_1
-    squares_2 = B_3 * c_2
-    about_0 = B_4 - (squares_1 + squares_2)
-    about_1 = B_5 - (squares_0 + squares_2)
-    about_2 = B_6 - (squares_0 + squares_1)
-    about_3 = B_1 * c_1 + B_7
-    about_4 = B_1 * c_2 + B_8
-    about_5 = B_2 * c_2 + B_9
-    return (about_0, about_3, about_4, about_3, about_1, about_5, about_4, about_5, about_2)
-
-
-@kernel("(10),(6)->(6)")
-def product_Bs(B, s):
-    """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
-
-    (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
-    zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
-    24 mul, 18 add.  Error <= u |result| + (lin: 3/32, ang: 1/8) u^2 S, S the sum of the |terms|
-    of the expanded formula; barring over- and underflow.
-    """
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    s_0, s_1, s_2, s_3, s_4, s_5 = s
-    co_0 = B_0 * s_0 + (B_3 * s_4 - B_2 * s_5)
-    co_1 = B_0 * s_1 + (B_1 * s_5 - B_3 * s_3)
-    co_2 = B_0 * s_2 + (B_2 * s_3 - B_1 * s_4)
-    co_3 = B_2 * s_2 - B_3 * s_1 + (B_4 * s_3 + B_7 * s_4 + B_8 * s_5)
-    co_4 = B_3 * s_0 - B_1 * s_2 + (B_5 * s_4 + B_7 * s_3 + B_9 * s_5)
-    co_5 = B_1 * s_1 - B_2 * s_0 + (B_6 * s_5 + B_8 * s_3 + B_9 * s_4)
-    return (co_0, co_1, co_2, co_3, co_4, co_5)
-
-
-@kernel("(10),(6)->()")
-def inertia_energy(B, s):
-    """s·B s / 2, the kinetic energy in J of a body that moves with s.
-
-    (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
-    xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    28 mul, 17 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    s_0, s_1, s_2, s_3, s_4, s_5 = s
-    across_0 = B_3 * s_4 - B_2 * s_5
-    across_1 = B_1 * s_5 - B_3 * s_3
-    across_2 = B_2 * s_3 - B_1 * s_4
-    twice_across_0 = 2 * across_0
-    twice_across_1 = 2 * across_1
-    twice_across_2 = 2 * across_2
-    p_0 = B_0 * s_0 + twice_across_0
-    p_1 = B_0 * s_1 + twice_across_1
-    p_2 = B_0 * s_2 + twice_across_2
-    L_0 = B_4 * s_3 + B_7 * s_4 + B_8 * s_5
-    L_1 = B_5 * s_4 + B_7 * s_3 + B_9 * s_5
-    L_2 = B_6 * s_5 + B_8 * s_3 + B_9 * s_4
-    twice = s_0 * p_0 + s_1 * p_1 + s_2 * p_2 + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
-    energy = 0.5 * twice
-    return energy
-
-
-@kernel("(3),(10)->(10)")
-def inertia_shifted(t, B):
-    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
-
-    (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
-    origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    18 mul, 18 add.  Error <= u |result| + (m: 0, h: 1/16, I: 5/32) u^2 S, S the sum of the
-    |terms| of the expanded formula; barring over- and underflow.
-    """
+    Ji_0, Ji_1, Ji_2, Ji_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9 = Ji
     t_0, t_1, t_2 = t
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    mt_0 = t_0 * B_0
-    mt_1 = t_1 * B_0
-    mt_2 = t_2 * B_0
-    half_0 = 0.5 * mt_0
-    half_1 = 0.5 * mt_1
-    half_2 = 0.5 * mt_2
-    n_0 = B_1 + half_0
-    n_1 = B_2 + half_1
-    n_2 = B_3 + half_2
-    tn0 = t_0 * n_0
-    tn1 = t_1 * n_1
-    tn2 = t_2 * n_2
-    own_0 = 2 * tn0
-    own_1 = 2 * tn1
-    own_2 = 2 * tn2
-    pairs_0 = own_1 + own_2
-    pairs_1 = own_0 + own_2
-    pairs_2 = own_0 + own_1
-    pairs_3 = t_0 * n_1 + t_1 * n_0
-    pairs_4 = t_0 * n_2 + t_2 * n_0
-    pairs_5 = t_1 * n_2 + t_2 * n_1
-    moved_0 = B_1 + mt_0
-    moved_1 = B_2 + mt_1
-    moved_2 = B_3 + mt_2
-    Bo_4 = B_4 + pairs_0
-    Bo_5 = B_5 + pairs_1
-    Bo_6 = B_6 + pairs_2
-    Bo_7 = B_7 - pairs_3
-    Bo_8 = B_8 - pairs_4
-    Bo_9 = B_9 - pairs_5
-    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
+    Jo_1 = Ji_0 * t_0 + Ji_1
+    Jo_2 = Ji_0 * t_1 + Ji_2
+    Jo_3 = Ji_0 * t_2 + Ji_3
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9)
 
 
-@kernel("(3,4),(10)->(10)")
-def inertia_transformed(D, B):
-    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+@kernel("(10),(3)->(10)")
+def inertia_translate(self, t):
+    """self = self moved by t: m, mt + m t, I.
 
-    (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
-    kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    72 mul, 54 add.  Error <= u |result| + (m: 0, h: 1/8, I: 7/32) u^2 S, S the sum of the
+    (10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
+    yy, zz, xy, yz, zx in kg m^2); t: vector.
+    3 mul, 3 add.  Error <= u |result| + (m: 0, mt: 1/16, I: 0) u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5, self_6, self_7, self_8, self_9 = self
+    t_0, t_1, t_2 = t
+    self_1_new = self_0 * t_0 + self_1
+    self_2_new = self_0 * t_1 + self_2
+    self_3_new = self_0 * t_2 + self_3
+    return (self_0, self_1_new, self_2_new, self_3_new, self_4, self_5, self_6, self_7, self_8,
+        self_9)
+
+
+@kernel("(10),(3,4)->(10)")
+def inertia_transformed(Ji, D):
+    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+
+    (10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+    57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 1/8, I: 3/16) u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
     """
+    Ji_0, Ji_1, Ji_2, Ji_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9 = Ji
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    RI_0 = D_00 * B_4 + D_01 * B_7 + D_02 * B_8
-    RI_1 = D_00 * B_7 + D_01 * B_5 + D_02 * B_9
-    RI_2 = D_00 * B_8 + D_01 * B_9 + D_02 * B_6
-    RI_3 = D_10 * B_4 + D_11 * B_7 + D_12 * B_8
-    RI_4 = D_10 * B_7 + D_11 * B_5 + D_12 * B_9
-    RI_5 = D_10 * B_8 + D_11 * B_9 + D_12 * B_6
-    RI_6 = D_20 * B_4 + D_21 * B_7 + D_22 * B_8
-    RI_7 = D_20 * B_7 + D_21 * B_5 + D_22 * B_9
-    RI_8 = D_20 * B_8 + D_21 * B_9 + D_22 * B_6
-    turned_1 = D_00 * B_1 + D_01 * B_2 + D_02 * B_3
-    turned_2 = D_10 * B_1 + D_11 * B_2 + D_12 * B_3
-    turned_3 = D_20 * B_1 + D_21 * B_2 + D_22 * B_3
-    turned_4 = D_00 * RI_0 + D_01 * RI_1 + D_02 * RI_2
-    turned_5 = D_10 * RI_3 + D_11 * RI_4 + D_12 * RI_5
-    turned_6 = D_20 * RI_6 + D_21 * RI_7 + D_22 * RI_8
-    turned_7 = D_10 * RI_0 + D_11 * RI_1 + D_12 * RI_2
-    turned_8 = D_20 * RI_0 + D_21 * RI_1 + D_22 * RI_2
-    turned_9 = D_20 * RI_3 + D_21 * RI_4 + D_22 * RI_5
-    mt_0 = D_03 * B_0
-    mt_1 = D_13 * B_0
-    mt_2 = D_23 * B_0
-    half_0 = 0.5 * mt_0
-    half_1 = 0.5 * mt_1
-    half_2 = 0.5 * mt_2
-    n_0 = turned_1 + half_0
-    n_1 = turned_2 + half_1
-    n_2 = turned_3 + half_2
-    tn0 = D_03 * n_0
-    tn1 = D_13 * n_1
-    tn2 = D_23 * n_2
-    own_0 = 2 * tn0
-    own_1 = 2 * tn1
-    own_2 = 2 * tn2
-    pairs_0 = own_1 + own_2
-    pairs_1 = own_0 + own_2
-    pairs_2 = own_0 + own_1
-    pairs_3 = D_03 * n_1 + D_13 * n_0
-    pairs_4 = D_03 * n_2 + D_23 * n_0
-    pairs_5 = D_13 * n_2 + D_23 * n_1
-    moved_0 = turned_1 + mt_0
-    moved_1 = turned_2 + mt_1
-    moved_2 = turned_3 + mt_2
-    Bo_4 = turned_4 + pairs_0
-    Bo_5 = turned_5 + pairs_1
-    Bo_6 = turned_6 + pairs_2
-    Bo_7 = turned_7 - pairs_3
-    Bo_8 = turned_8 - pairs_4
-    Bo_9 = turned_9 - pairs_5
-    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9)
+    RI_0 = Ji_4 * D_00 + Ji_7 * D_01 + Ji_9 * D_02
+    RI_1 = Ji_5 * D_01 + Ji_7 * D_00 + Ji_8 * D_02
+    RI_2 = Ji_6 * D_02 + Ji_8 * D_01 + Ji_9 * D_00
+    RI_3 = Ji_4 * D_10 + Ji_7 * D_11 + Ji_9 * D_12
+    RI_4 = Ji_5 * D_11 + Ji_7 * D_10 + Ji_8 * D_12
+    RI_5 = Ji_6 * D_12 + Ji_8 * D_11 + Ji_9 * D_10
+    RI_6 = Ji_4 * D_20 + Ji_7 * D_21 + Ji_9 * D_22
+    RI_7 = Ji_5 * D_21 + Ji_7 * D_20 + Ji_8 * D_22
+    RI_8 = Ji_6 * D_22 + Ji_8 * D_21 + Ji_9 * D_20
+    Jo_1 = Ji_0 * D_03 + (Ji_1 * D_00 + Ji_2 * D_01 + Ji_3 * D_02)
+    Jo_2 = Ji_0 * D_13 + (Ji_1 * D_10 + Ji_2 * D_11 + Ji_3 * D_12)
+    Jo_3 = Ji_0 * D_23 + (Ji_1 * D_20 + Ji_2 * D_21 + Ji_3 * D_22)
+    Jo_4 = D_00 * RI_0 + D_01 * RI_1 + D_02 * RI_2
+    Jo_5 = D_10 * RI_3 + D_11 * RI_4 + D_12 * RI_5
+    Jo_6 = D_20 * RI_6 + D_21 * RI_7 + D_22 * RI_8
+    Jo_7 = D_10 * RI_0 + D_11 * RI_1 + D_12 * RI_2
+    Jo_8 = D_20 * RI_3 + D_21 * RI_4 + D_22 * RI_5
+    Jo_9 = D_20 * RI_0 + D_21 * RI_1 + D_22 * RI_2
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9)
 
 
-@kernel("(10)->()")
-def inertia_consistency(B):
-    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
-    positive exactly if a body of positive density has this inertia.
+@kernel("(10),(3,4)->(10)")
+def inertia_transform(self, D):
+    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
 
-    (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
-    xz, yz in kg m^2); pivot: number.
-    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
+    (10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
+    57 mul, 39 add.  Error <= u |result| + (m: 0, mt: 1/8, I: 3/16) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
-    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    trace = 0.5 * B_4 + 0.5 * B_5 + 0.5 * B_6
-    sigma_0 = trace - B_4
-    sigma_1 = trace - B_5
-    sigma_2 = trace - B_6
-    divisor0 = where(0 < B_0, B_0, 1)
-    l0_0 = B_1 / divisor0
-    l0_1 = B_2 / divisor0
-    l0_2 = B_3 / divisor0
-    u1_0 = sigma_0 - B_1 * l0_0
-    u1_1 = -(B_2 * l0_0 + B_7)
-    u1_2 = -(B_3 * l0_0 + B_8)
-    divisor1 = where(0 < u1_0, u1_0, 1)
-    l1_0 = u1_1 / divisor1
-    l1_1 = u1_2 / divisor1
-    u2_0 = sigma_1 - B_2 * l0_1 - u1_1 * l1_0
-    u2_1 = -(B_3 * l0_1 + B_9 + u1_2 * l1_0)
-    divisor2 = where(0 < u2_0, u2_0, 1)
-    l2 = u2_1 / divisor2
-    u3 = sigma_2 - B_3 * l0_2 - u1_2 * l1_1 - u2_1 * l2
-    part0 = where(0 < B_0, B_0 / divisor0, B_0)
-    own1 = where(0 < sigma_0, sigma_0, 1)
-    part1 = where(0 < sigma_0, u1_0 / own1, sigma_0)
-    smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < sigma_1, sigma_1, 1)
-    part2 = where(0 < sigma_1, u2_0 / own2, sigma_1)
-    smallest2 = where(smallest1 < part2, smallest1, part2)
-    own3 = where(0 < sigma_2, sigma_2, 1)
-    part3 = where(0 < sigma_2, u3 / own3, sigma_2)
-    smallest3 = where(smallest2 < part3, smallest2, part3)
-    return smallest3
+    self_0, self_1, self_2, self_3, self_4, self_5, self_6, self_7, self_8, self_9 = self
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    RI_0 = self_4 * D_00 + self_7 * D_01 + self_9 * D_02
+    RI_1 = self_5 * D_01 + self_7 * D_00 + self_8 * D_02
+    RI_2 = self_6 * D_02 + self_8 * D_01 + self_9 * D_00
+    RI_3 = self_4 * D_10 + self_7 * D_11 + self_9 * D_12
+    RI_4 = self_5 * D_11 + self_7 * D_10 + self_8 * D_12
+    RI_5 = self_6 * D_12 + self_8 * D_11 + self_9 * D_10
+    RI_6 = self_4 * D_20 + self_7 * D_21 + self_9 * D_22
+    RI_7 = self_5 * D_21 + self_7 * D_20 + self_8 * D_22
+    RI_8 = self_6 * D_22 + self_8 * D_21 + self_9 * D_20
+    self_1_new = self_0 * D_03 + (self_1 * D_00 + self_2 * D_01 + self_3 * D_02)
+    self_2_new = self_0 * D_13 + (self_1 * D_10 + self_2 * D_11 + self_3 * D_12)
+    self_3_new = self_0 * D_23 + (self_1 * D_20 + self_2 * D_21 + self_3 * D_22)
+    self_4_new = D_00 * RI_0 + D_01 * RI_1 + D_02 * RI_2
+    self_5_new = D_10 * RI_3 + D_11 * RI_4 + D_12 * RI_5
+    self_6_new = D_20 * RI_6 + D_21 * RI_7 + D_22 * RI_8
+    self_7_new = D_10 * RI_0 + D_11 * RI_1 + D_12 * RI_2
+    self_8_new = D_20 * RI_3 + D_21 * RI_4 + D_22 * RI_5
+    self_9_new = D_20 * RI_0 + D_21 * RI_1 + D_22 * RI_2
+    return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
+        self_7_new, self_8_new, self_9_new)
+
+
+@kernel("(10),(3),(10),(3),(3,4)->(10)")
+def inertia_merge(Ji, t_ic, Jj, t_jc, D_ij):
+    """Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
+    I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
+    t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
+    where m_i + m_j = 0.
+
+    (10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement
+    [R | t], R rotation, t in m.
+    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses
+    that are not negative, barring over- and underflow.
+    """
+    Ji_0, Ji_1, Ji_2, Ji_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9 = Ji
+    t_ic_0, t_ic_1, t_ic_2 = t_ic
+    Jj_0, Jj_1, Jj_2, Jj_3, Jj_4, Jj_5, Jj_6, Jj_7, Jj_8, Jj_9 = Jj
+    t_jc_0, t_jc_1, t_jc_2 = t_jc
+    (D_ij_00, D_ij_01, D_ij_02, D_ij_03, D_ij_10, D_ij_11, D_ij_12, D_ij_13, D_ij_20, D_ij_21,
+        D_ij_22, D_ij_23) = D_ij
+    m = Ji_0 + Jj_0
+    c_0 = t_jc_0 * D_ij_00 + t_jc_1 * D_ij_01 + t_jc_2 * D_ij_02 + D_ij_03
+    c_1 = t_jc_0 * D_ij_10 + t_jc_1 * D_ij_11 + t_jc_2 * D_ij_12 + D_ij_13
+    c_2 = t_jc_0 * D_ij_20 + t_jc_1 * D_ij_21 + t_jc_2 * D_ij_22 + D_ij_23
+    d_0 = c_0 - t_ic_0
+    d_1 = c_1 - t_ic_1
+    d_2 = c_2 - t_ic_2
+    part = Jj_0 / m
+    reduced = Ji_0 * part
+    p_0 = d_0 * reduced
+    p_1 = d_1 * reduced
+    p_2 = d_2 * reduced
+    squares_0 = d_0 * p_0
+    squares_1 = d_1 * p_1
+    squares_2 = d_2 * p_2
+    RI_0 = Jj_4 * D_ij_00 + Jj_7 * D_ij_01 + Jj_9 * D_ij_02
+    RI_1 = Jj_5 * D_ij_01 + Jj_7 * D_ij_00 + Jj_8 * D_ij_02
+    RI_2 = Jj_6 * D_ij_02 + Jj_8 * D_ij_01 + Jj_9 * D_ij_00
+    RI_3 = Jj_4 * D_ij_10 + Jj_7 * D_ij_11 + Jj_9 * D_ij_12
+    RI_4 = Jj_5 * D_ij_11 + Jj_7 * D_ij_10 + Jj_8 * D_ij_12
+    RI_5 = Jj_6 * D_ij_12 + Jj_8 * D_ij_11 + Jj_9 * D_ij_10
+    RI_6 = Jj_4 * D_ij_20 + Jj_7 * D_ij_21 + Jj_9 * D_ij_22
+    RI_7 = Jj_5 * D_ij_21 + Jj_7 * D_ij_20 + Jj_8 * D_ij_22
+    RI_8 = Jj_6 * D_ij_22 + Jj_8 * D_ij_21 + Jj_9 * D_ij_20
+    Ji_1_new = Ji_1 + Jj_0 * c_0
+    Ji_2_new = Ji_2 + Jj_0 * c_1
+    Ji_3_new = Ji_3 + Jj_0 * c_2
+    Ji_4_new = Ji_4 + (D_ij_00 * RI_0 + D_ij_01 * RI_1 + D_ij_02 * RI_2) + (squares_1 + squares_2)
+    Ji_5_new = Ji_5 + (D_ij_10 * RI_3 + D_ij_11 * RI_4 + D_ij_12 * RI_5) + (squares_0 + squares_2)
+    Ji_6_new = Ji_6 + (D_ij_20 * RI_6 + D_ij_21 * RI_7 + D_ij_22 * RI_8) + (squares_0 + squares_1)
+    Ji_7_new = Ji_7 + (D_ij_10 * RI_0 + D_ij_11 * RI_1 + D_ij_12 * RI_2) - d_1 * p_0
+    Ji_8_new = Ji_8 + (D_ij_20 * RI_3 + D_ij_21 * RI_4 + D_ij_22 * RI_5) - d_2 * p_1
+    Ji_9_new = Ji_9 + (D_ij_20 * RI_0 + D_ij_21 * RI_1 + D_ij_22 * RI_2) - d_2 * p_0
+    return (m, Ji_1_new, Ji_2_new, Ji_3_new, Ji_4_new, Ji_5_new, Ji_6_new, Ji_7_new, Ji_8_new,
+        Ji_9_new)

@@ -202,12 +202,21 @@ from coscrew.certified.single.exponential import (
     mat3x3_orthonormalized,
 )
 from coscrew.certified.single.inertia import (
-    inertia_scale,
+    inertia,
+    inertia_rotated,
+    inertia_rotate,
+    inertia_translated,
+    inertia_translate,
+    inertia_transformed,
+    inertia_transform,
+)
+from coscrew.certified.single.spatial_inertia import (
+    spatial_inertia_scale,
     add_BB,
     subtract_BB,
-    inertia_from_com,
+    spatial_inertia_from_com,
     product_Bs,
-    inertia_energy,
-    inertia_shifted,
-    inertia_transformed,
+    spatial_inertia_energy,
+    spatial_inertia_shifted,
+    spatial_inertia_transformed,
 )

@@ -1379,7 +1379,70 @@ def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.float32] | None, 
     93 mul, 105 add, 3 neg, 27 abs.
     """
 
-def inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
+    moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
+    NaN.
+
+    (),(3),(),(),(),(),(),()->(10),(10).  m, Ixx, Iyy, Izz, Ixy, Iyz, Izx: number; t: vector; J,
+    J_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
+    yz, zx in kg m^2).
+    6 mul, 3 add, 3 abs.
+    """
+
+def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+
+    (10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    81 mul, 90 add, 45 abs.
+    """
+
+def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+
+    (10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
+    81 mul, 90 add, 45 abs.
+    """
+
+def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+
+    (10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
+    6 mul, 9 add, 6 abs.
+    """
+
+def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+
+    (10),(3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
+    6 mul, 9 add, 6 abs.
+    """
+
+def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
+    or NaN.
+
+    (10),(3,4)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t
+    in m.
+    84 mul, 96 add, 48 abs.
+    """
+
+def inertia_transform(self: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+    unless inf or NaN.
+
+    (10),(3,4)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
+    centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t
+    in m.
+    84 mul, 96 add, 48 abs.
+    """
+
+def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about
@@ -1403,7 +1466,7 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.float32] | N
     10 mul, 10 add, 10 abs.
     """
 
-def inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
     or NaN.
@@ -1424,7 +1487,7 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None
     30 mul, 42 add, 24 abs.
     """
 
-def inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
     energy_bound unless inf or NaN.
 
@@ -1433,7 +1496,7 @@ def inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.float32] | 
     39 mul, 45 add, 24 abs.
     """
 
-def inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound
     unless inf or NaN.
 
@@ -1442,7 +1505,7 @@ def inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] |
     42 mul, 54 add, 15 abs.
     """
 
-def inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
     Bo_bound unless inf or NaN.
 

@@ -1,0 +1,181 @@
+"""Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+
+In these ten numbers an inertia is linear: inertias of joined bodies add up, momentum is their
+product with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to coscrews (momenta).
+"""
+
+import sympy as sp
+
+from coscrew_codegen.algebra import (I3, ang, blocks, lin, rotation, skew, stack, translation)
+from coscrew_codegen.operations import inertia as centroidal
+from coscrew_codegen.operations.linear import linear_space
+from coscrew_codegen.operations.norm import Let, unnamed
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.special import smallest_pivot
+from coscrew_codegen.operations.symmetric import (bound_smallest_pivot, factored,
+                                                  lower_triangle)
+from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, SCALAR, SCREW, SE3,
+                                      SPATIAL_INERTIA, VEC3, Argument)
+
+FAMILY = "spatial_inertia"
+
+_B, _Bo = Argument("B", SPATIAL_INERTIA), Argument("Bo", SPATIAL_INERTIA)
+_J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR)
+_com, _Ic, _t = Argument("com", VEC3), Argument("Ic", MAT3X3), Argument("t", VEC3)
+_D, _s, _co = Argument("D", SE3), Argument("s", SCREW), Argument("co", COSCREW)
+_energy, _pivot = Argument("energy", SCALAR), Argument("pivot", SCALAR)
+_vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT6X6)
+
+_UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
+    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+                     rounding=rounding)
+
+
+def _first(B: sp.Matrix) -> sp.Matrix:
+    return B[1:4, :]
+
+
+def _second(B: sp.Matrix) -> sp.Matrix:
+    xx, yy, zz, xy, xz, yz = B[4:, :]
+    return sp.Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _inertia(m: sp.Expr, h: sp.Matrix, second: sp.Matrix) -> sp.Matrix:
+    return sp.Matrix([m, *h, *(second[i, j] for i, j in _UPPER)])
+
+
+def _operator(B: sp.Matrix) -> sp.Matrix:
+    """[[m 1, -h~], [h~, I]]."""
+    return blocks(B[0] * I3, -skew(_first(B)), skew(_first(B)), _second(B))
+
+
+def _momentum(B: sp.Matrix, s: sp.Matrix) -> sp.Matrix:
+    """(m v - h × ω; h × v + I ω)."""
+    h = _first(B)
+    return stack(B[0] * lin(s) - h.cross(ang(s)), h.cross(lin(s)) + _second(B) * ang(s))
+
+
+def _energy_of(let: Let, B: sp.Matrix, s: sp.Matrix) -> sp.Expr:
+    """(v·(m v + 2 ω × h) + ω·I ω) / 2: what m v and h share is computed once."""
+    v, w = lin(s), ang(s)
+    twice = let("twice_across", 2 * let("across", w.cross(_first(B))))
+    p, L = let("p", B[0] * v + twice), let("L", _second(B) * w)
+    return let("twice", v.dot(p) + w.dot(L)) / 2
+
+
+def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
+    """h = m c, I = Ic - m c~ c~; of Ic the upper triangle."""
+    h = let("h", m * com)
+    squares = let("squares", sp.Matrix([h[i] * com[i] for i in range(3)]))
+    own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
+    second = [*own, -h[0] * com[1], -h[0] * com[2], -h[1] * com[2]]
+    return sp.Matrix([m, *h, *(Ic[i, j] + x for (i, j), x in zip(_UPPER, second, strict=True))])
+
+
+def _shifted(let: Let, t: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
+    """h + m t, I - t~ (h + m t)~ - h~ t~ = I - t~ n~ - n~ t~ with n = h + m t/2."""
+    m, h = B[0], _first(B)
+    mt = let("mt", m * t)
+    n = let("n", h + let("half", mt / 2))
+    own = let("own", sp.Matrix([2 * let(f"tn{i}", t[i] * n[i]) for i in range(3)]))
+    pairs = let("pairs", sp.Matrix([own[1] + own[2], own[0] + own[2], own[0] + own[1],
+                                    *(t[i] * n[j] + n[i] * t[j] for i, j in _UPPER[3:])]))
+    second = [x + y if i < 3 else x - y
+              for i, (x, y) in enumerate(zip(B[4:, :], pairs, strict=True))]
+    return sp.Matrix([m, *let("moved", h + mt), *second])
+
+
+def _turned(let: Let, R: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
+    """m, R h, R I R^T."""
+    half = let("RI", R * _second(B))
+    return let("turned", _inertia(B[0], R * _first(B), half * R.T))
+
+
+def _transformed(let: Let, D: sp.Matrix, B: sp.Matrix) -> sp.Matrix:
+    return _shifted(let, translation(D), _turned(let, rotation(D), B))
+
+
+def _about_com(let: Let, B: sp.Matrix) -> sp.Matrix:
+    """I + h~ h~ / m."""
+    h, c = _first(B), let("c", _first(B) / B[0])
+    squares = let("squares", sp.Matrix([h[i] * c[i] for i in range(3)]))
+    own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
+    second = [*own, *(-h[i] * c[j] for i, j in _UPPER[3:])]
+    xx, yy, zz, xy, xz, yz = let("about", sp.Matrix(
+        [x - y for x, y in zip(B[4:, :], second, strict=True)]))
+    return sp.Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _of_inertia(let: Let, J: sp.Matrix) -> sp.Matrix:
+    """m, mt, I + mt·c 1 - mt c^T with c = mt / m."""
+    h = centroidal.first(J)
+    moved = centroidal.of_point(let, h, let("c", h / J[0]))
+    return _inertia(J[0], h, centroidal.second(J) + moved)
+
+
+def _to_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
+    """m, h, I - h·c 1 + h c^T with c = h / m."""
+    h = _first(B)
+    moved = centroidal.of_point(let, h, let("c", h / B[0]))
+    return centroidal.inertia(B[0], h, _second(B) - moved)
+
+
+def _pseudo_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
+    """[[m, h^T], [h, tr(I)/2 1 - I]]: ∫ (1; x) (1; x)^T dm."""
+    second = _second(B)
+    trace = let("trace", (second[0, 0] + second[1, 1] + second[2, 2]) / 2)
+    Sigma = let("sigma", sp.Matrix([trace - second[0, 0], trace - second[1, 1],
+                                    trace - second[2, 2]]))
+    x, y, z = Sigma
+    xy, xz, yz = -second[0, 1], -second[0, 2], -second[1, 2]
+    h = _first(B)
+    return sp.Matrix([[B[0], h[0], h[1], h[2]], [h[0], x, xy, xz], [h[1], xy, y, yz],
+                      [h[2], xz, yz, z]])
+
+
+def _consistency(let: Let, B: sp.Matrix) -> sp.Expr:
+    pseudo = _pseudo_inertia(let, B)
+    return bound_smallest_pivot(let, pseudo, factored(let, pseudo)[1])
+
+
+CONVERTED = 4
+"""In u: what a converted moment is off by at most, counted along its roundings."""
+
+_CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of the sizes of its terms, barring "
+              "over- and underflow.")
+
+
+OPERATIONS = (
+    *(op for op in linear_space(FAMILY, SPATIAL_INERTIA, "B")
+      if op.name in ("spatial_inertia_copy", "spatial_inertia_scale", "add_BB", "subtract_BB")),
+    _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; "
+        "of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
+        (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
+    _op("spatial_inertia_from_inertia", "Bo: of the inertia J, whose moments are about the centre of "
+        "mass: m, mt, I - mt~ mt~ / m; not a number where m = 0", (_J,), (_Bo,),
+        lambda J: _of_inertia(unnamed, J), _of_inertia, rounding=_CONVERTED),
+    _op("inertia_from_spatial_inertia", "Jo: of the spatial inertia B, with moments about the "
+        "centre of mass: m, h, I + h~ h~ / m; not a number where m = 0", (_B,), (_Jo,),
+        lambda B: _to_inertia(unnamed, B), _to_inertia, rounding=_CONVERTED),
+    _op("spatial_inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
+        lambda B: _first(B) / B[0],
+        rounding="Error <= u |result|, barring over- and underflow."),
+    _op("spatial_inertia_about_com", "Ro = I + h~ h~ / m, the second moments about the centre of mass",
+        (_B,), (_Ro,), lambda B: _second(B) + skew(_first(B))**2 / B[0], _about_com),
+    _op("spatial_inertia_matrix", "Mo = [[m 1, -h~], [h~, I]]", (_B,), (_Mo,), _operator),
+    _op("product_Bs", "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves "
+        "with s", (_B, _s), (_co,), _momentum),
+    _op("spatial_inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
+        (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
+    _op("spatial_inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~", (_t, _B),
+        (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
+    _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its "
+        "own to", (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
+    _op("spatial_inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a "
+        "part of its diagonal entry: positive exactly if a body of positive density has this "
+        "inertia", (_B,), (_pivot,),
+        lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
+)

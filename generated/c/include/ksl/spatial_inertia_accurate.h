@@ -1,0 +1,2174 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+   Accurate tier: double compensated, single computed in double. */
+#ifndef KSL_SPATIAL_INERTIA_ACCURATE_H
+#define KSL_SPATIAL_INERTIA_ACCURATE_H
+
+#include "ksl_exact.h"
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul, 10 add, 10 product error.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_spatial_inertia_scale_accurate(ksl_spatial_inertia_t *self, const double a) {
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new_lo = ksl_product_error(self->m, a, self_0_new),
+      self_0_new_rounded = self_0_new + self_0_new_lo;
+  const double self_1_new_lo = ksl_product_error(self->h.x, a, self_1_new),
+      self_1_new_rounded = self_1_new + self_1_new_lo;
+  const double self_2_new_lo = ksl_product_error(self->h.y, a, self_2_new),
+      self_2_new_rounded = self_2_new + self_2_new_lo;
+  const double self_3_new_lo = ksl_product_error(self->h.z, a, self_3_new),
+      self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_4_new_lo = ksl_product_error(self->xx, a, self_4_new),
+      self_4_new_rounded = self_4_new + self_4_new_lo;
+  const double self_5_new_lo = ksl_product_error(self->yy, a, self_5_new),
+      self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_6_new_lo = ksl_product_error(self->zz, a, self_6_new),
+      self_6_new_rounded = self_6_new + self_6_new_lo;
+  const double self_7_new_lo = ksl_product_error(self->xy, a, self_7_new),
+      self_7_new_rounded = self_7_new + self_7_new_lo;
+  const double self_8_new_lo = ksl_product_error(self->xz, a, self_8_new),
+      self_8_new_rounded = self_8_new + self_8_new_lo;
+  const double self_9_new_lo = ksl_product_error(self->yz, a, self_9_new),
+      self_9_new_rounded = self_9_new + self_9_new_lo;
+  self->m = self_0_new_rounded;
+  self->h.x = self_1_new_rounded;
+  self->h.y = self_2_new_rounded;
+  self->h.z = self_3_new_rounded;
+  self->xx = self_4_new_rounded;
+  self->yy = self_5_new_rounded;
+  self->zz = self_6_new_rounded;
+  self->xy = self_7_new_rounded;
+  self->xz = self_8_new_rounded;
+  self->yz = self_9_new_rounded;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   70 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_add_BB_accurate(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo) {
+  const double Bo_0 = B1->m + B2->m, Bo_0_right = Bo_0 - B1->m, Bo_0_left = Bo_0 - Bo_0_right,
+      Bo_0_left_rest = B1->m - Bo_0_left, Bo_0_right_rest = B2->m - Bo_0_right,
+      Bo_0_lo = Bo_0_left_rest + Bo_0_right_rest;
+  const double Bo_1 = B1->h.x + B2->h.x, Bo_1_right = Bo_1 - B1->h.x, Bo_1_left = Bo_1 - Bo_1_right,
+      Bo_1_left_rest = B1->h.x - Bo_1_left, Bo_1_right_rest = B2->h.x - Bo_1_right,
+      Bo_1_lo = Bo_1_left_rest + Bo_1_right_rest;
+  const double Bo_2 = B1->h.y + B2->h.y, Bo_2_right = Bo_2 - B1->h.y, Bo_2_left = Bo_2 - Bo_2_right,
+      Bo_2_left_rest = B1->h.y - Bo_2_left, Bo_2_right_rest = B2->h.y - Bo_2_right,
+      Bo_2_lo = Bo_2_left_rest + Bo_2_right_rest;
+  const double Bo_3 = B1->h.z + B2->h.z, Bo_3_right = Bo_3 - B1->h.z, Bo_3_left = Bo_3 - Bo_3_right,
+      Bo_3_left_rest = B1->h.z - Bo_3_left, Bo_3_right_rest = B2->h.z - Bo_3_right,
+      Bo_3_lo = Bo_3_left_rest + Bo_3_right_rest;
+  const double Bo_4 = B1->xx + B2->xx, Bo_4_right = Bo_4 - B1->xx, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = B1->xx - Bo_4_left, Bo_4_right_rest = B2->xx - Bo_4_right,
+      Bo_4_lo = Bo_4_left_rest + Bo_4_right_rest;
+  const double Bo_5 = B1->yy + B2->yy, Bo_5_right = Bo_5 - B1->yy, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = B1->yy - Bo_5_left, Bo_5_right_rest = B2->yy - Bo_5_right,
+      Bo_5_lo = Bo_5_left_rest + Bo_5_right_rest;
+  const double Bo_6 = B1->zz + B2->zz, Bo_6_right = Bo_6 - B1->zz, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = B1->zz - Bo_6_left, Bo_6_right_rest = B2->zz - Bo_6_right,
+      Bo_6_lo = Bo_6_left_rest + Bo_6_right_rest;
+  const double Bo_7 = B1->xy + B2->xy, Bo_7_right = Bo_7 - B1->xy, Bo_7_left = Bo_7 - Bo_7_right,
+      Bo_7_left_rest = B1->xy - Bo_7_left, Bo_7_right_rest = B2->xy - Bo_7_right,
+      Bo_7_lo = Bo_7_left_rest + Bo_7_right_rest;
+  const double Bo_8 = B1->xz + B2->xz, Bo_8_right = Bo_8 - B1->xz, Bo_8_left = Bo_8 - Bo_8_right,
+      Bo_8_left_rest = B1->xz - Bo_8_left, Bo_8_right_rest = B2->xz - Bo_8_right,
+      Bo_8_lo = Bo_8_left_rest + Bo_8_right_rest;
+  const double Bo_9 = B1->yz + B2->yz, Bo_9_right = Bo_9 - B1->yz, Bo_9_left = Bo_9 - Bo_9_right,
+      Bo_9_left_rest = B1->yz - Bo_9_left, Bo_9_right_rest = B2->yz - Bo_9_right,
+      Bo_9_lo = Bo_9_left_rest + Bo_9_right_rest;
+  const double Bo_0_rounded = Bo_0 + Bo_0_lo;
+  const double Bo_1_rounded = Bo_1 + Bo_1_lo;
+  const double Bo_2_rounded = Bo_2 + Bo_2_lo;
+  const double Bo_3_rounded = Bo_3 + Bo_3_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = Bo_0_rounded;
+  Bo->h.x = Bo_1_rounded;
+  Bo->h.y = Bo_2_rounded;
+  Bo->h.z = Bo_3_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   70 add.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_subtract_BB_accurate(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo) {
+  const double Bo_0 = B1->m - B2->m, Bo_0_right = B1->m - Bo_0, Bo_0_left = Bo_0 + Bo_0_right,
+      Bo_0_left_rest = B1->m - Bo_0_left, Bo_0_right_rest = B2->m - Bo_0_right,
+      Bo_0_lo = Bo_0_left_rest - Bo_0_right_rest;
+  const double Bo_1 = B1->h.x - B2->h.x, Bo_1_right = B1->h.x - Bo_1, Bo_1_left = Bo_1 + Bo_1_right,
+      Bo_1_left_rest = B1->h.x - Bo_1_left, Bo_1_right_rest = B2->h.x - Bo_1_right,
+      Bo_1_lo = Bo_1_left_rest - Bo_1_right_rest;
+  const double Bo_2 = B1->h.y - B2->h.y, Bo_2_right = B1->h.y - Bo_2, Bo_2_left = Bo_2 + Bo_2_right,
+      Bo_2_left_rest = B1->h.y - Bo_2_left, Bo_2_right_rest = B2->h.y - Bo_2_right,
+      Bo_2_lo = Bo_2_left_rest - Bo_2_right_rest;
+  const double Bo_3 = B1->h.z - B2->h.z, Bo_3_right = B1->h.z - Bo_3, Bo_3_left = Bo_3 + Bo_3_right,
+      Bo_3_left_rest = B1->h.z - Bo_3_left, Bo_3_right_rest = B2->h.z - Bo_3_right,
+      Bo_3_lo = Bo_3_left_rest - Bo_3_right_rest;
+  const double Bo_4 = B1->xx - B2->xx, Bo_4_right = B1->xx - Bo_4, Bo_4_left = Bo_4 + Bo_4_right,
+      Bo_4_left_rest = B1->xx - Bo_4_left, Bo_4_right_rest = B2->xx - Bo_4_right,
+      Bo_4_lo = Bo_4_left_rest - Bo_4_right_rest;
+  const double Bo_5 = B1->yy - B2->yy, Bo_5_right = B1->yy - Bo_5, Bo_5_left = Bo_5 + Bo_5_right,
+      Bo_5_left_rest = B1->yy - Bo_5_left, Bo_5_right_rest = B2->yy - Bo_5_right,
+      Bo_5_lo = Bo_5_left_rest - Bo_5_right_rest;
+  const double Bo_6 = B1->zz - B2->zz, Bo_6_right = B1->zz - Bo_6, Bo_6_left = Bo_6 + Bo_6_right,
+      Bo_6_left_rest = B1->zz - Bo_6_left, Bo_6_right_rest = B2->zz - Bo_6_right,
+      Bo_6_lo = Bo_6_left_rest - Bo_6_right_rest;
+  const double Bo_7 = B1->xy - B2->xy, Bo_7_right = B1->xy - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = B1->xy - Bo_7_left, Bo_7_right_rest = B2->xy - Bo_7_right,
+      Bo_7_lo = Bo_7_left_rest - Bo_7_right_rest;
+  const double Bo_8 = B1->xz - B2->xz, Bo_8_right = B1->xz - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = B1->xz - Bo_8_left, Bo_8_right_rest = B2->xz - Bo_8_right,
+      Bo_8_lo = Bo_8_left_rest - Bo_8_right_rest;
+  const double Bo_9 = B1->yz - B2->yz, Bo_9_right = B1->yz - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = B1->yz - Bo_9_left, Bo_9_right_rest = B2->yz - Bo_9_right,
+      Bo_9_lo = Bo_9_left_rest - Bo_9_right_rest;
+  const double Bo_0_rounded = Bo_0 + Bo_0_lo;
+  const double Bo_1_rounded = Bo_1 + Bo_1_lo;
+  const double Bo_2_rounded = Bo_2 + Bo_2_lo;
+  const double Bo_3_rounded = Bo_3 + Bo_3_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = Bo_0_rounded;
+  Bo->h.x = Bo_1_rounded;
+  Bo->h.y = Bo_2_rounded;
+  Bo->h.z = Bo_3_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   15 mul, 66 add, 3 product error, 9 product rest.
+   Error <= u |result| + (m: 0, h: 0, I: 15) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertia_from_com_accurate(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo) {
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double h_0_lo = ksl_product_error(m, com->x, h_0), squares_0 = KSL_MUL(com->x, h_0),
+      squares_0_cross2 = KSL_MUL(com->x, h_0_lo);
+  const double h_1_lo = ksl_product_error(m, com->y, h_1), squares_1 = KSL_MUL(com->y, h_1),
+      squares_1_cross2 = KSL_MUL(com->y, h_1_lo);
+  const double h_2_lo = ksl_product_error(m, com->z, h_2), squares_2 = KSL_MUL(com->z, h_2),
+      squares_2_cross2 = KSL_MUL(com->z, h_2_lo);
+  const double Bo_4a = squares_1 + squares_2, Bo_4a_right = Bo_4a - squares_1,
+      Bo_4a_left = Bo_4a - Bo_4a_right,
+      Bo_4a_left_rest = ksl_product_rest(com->y, h_1, squares_1, Bo_4a_left),
+      Bo_4a_right_rest = ksl_product_rest(com->z, h_2, squares_2, Bo_4a_right),
+      Bo_4a_cross = squares_1_cross2 + squares_2_cross2,
+      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo = Bo_4a_lo1 + Bo_4a_cross,
+      Bo_4 = Ic->m00 + Bo_4a, Bo_4_right = Bo_4 - Ic->m00, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = Ic->m00 - Bo_4_left, Bo_4_right_rest = Bo_4a - Bo_4_right,
+      Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest, Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
+  const double Bo_5a = squares_0 + squares_2, Bo_5a_right = Bo_5a - squares_0,
+      Bo_5a_left = Bo_5a - Bo_5a_right,
+      Bo_5a_left_rest = ksl_product_rest(com->x, h_0, squares_0, Bo_5a_left),
+      Bo_5a_right_rest = ksl_product_rest(com->z, h_2, squares_2, Bo_5a_right),
+      Bo_5a_cross = squares_0_cross2 + squares_2_cross2,
+      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo = Bo_5a_lo1 + Bo_5a_cross,
+      Bo_5 = Ic->m11 + Bo_5a, Bo_5_right = Bo_5 - Ic->m11, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = Ic->m11 - Bo_5_left, Bo_5_right_rest = Bo_5a - Bo_5_right,
+      Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest, Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
+  const double Bo_6a = squares_0 + squares_1, Bo_6a_right = Bo_6a - squares_0,
+      Bo_6a_left = Bo_6a - Bo_6a_right,
+      Bo_6a_left_rest = ksl_product_rest(com->x, h_0, squares_0, Bo_6a_left),
+      Bo_6a_right_rest = ksl_product_rest(com->y, h_1, squares_1, Bo_6a_right),
+      Bo_6a_cross = squares_0_cross2 + squares_1_cross2,
+      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo = Bo_6a_lo1 + Bo_6a_cross,
+      Bo_6 = Ic->m22 + Bo_6a, Bo_6_right = Bo_6 - Ic->m22, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = Ic->m22 - Bo_6_left, Bo_6_right_rest = Bo_6a - Bo_6_right,
+      Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest, Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7a_cross2 = KSL_MUL(com->y, h_0_lo),
+      Bo_7 = Ic->m01 - Bo_7a, Bo_7_right = Ic->m01 - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = Ic->m01 - Bo_7_left,
+      Bo_7_right_rest = ksl_product_rest(com->y, h_0, Bo_7a, Bo_7_right),
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 - Bo_7a_cross2;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8a_cross2 = KSL_MUL(com->z, h_0_lo),
+      Bo_8 = Ic->m02 - Bo_8a, Bo_8_right = Ic->m02 - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = Ic->m02 - Bo_8_left,
+      Bo_8_right_rest = ksl_product_rest(com->z, h_0, Bo_8a, Bo_8_right),
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 - Bo_8a_cross2;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9a_cross2 = KSL_MUL(com->z, h_1_lo),
+      Bo_9 = Ic->m12 - Bo_9a, Bo_9_right = Ic->m12 - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = Ic->m12 - Bo_9_left,
+      Bo_9_right_rest = ksl_product_rest(com->z, h_1, Bo_9a, Bo_9_right),
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 - Bo_9a_cross2;
+  const double h_0_rounded = h_0 + h_0_lo;
+  const double h_1_rounded = h_1 + h_1_lo;
+  const double h_2_rounded = h_2 + h_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  Bo->m = m;
+  Bo->h.x = h_0_rounded;
+  Bo->h.y = h_1_rounded;
+  Bo->h.z = h_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
+     a number where m = 0.
+   J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+     kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+     xz, yz in kg m^2).
+   15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_spatial_inertia_from_inertia_accurate(const ksl_inertia_t *J,
+    ksl_spatial_inertia_t *Bo) {
+  const double c_0 = J->mt.x / J->m, c_0_product = KSL_MUL(c_0, J->m),
+      c_0_product_error = ksl_product_error(c_0, J->m, c_0_product),
+      c_0_rest = J->mt.x - c_0_product, c_0_exact = c_0_rest - c_0_product_error,
+      c_0_lo = c_0_exact / J->m;
+  const double c_1 = J->mt.y / J->m, c_1_product = KSL_MUL(c_1, J->m),
+      c_1_product_error = ksl_product_error(c_1, J->m, c_1_product),
+      c_1_rest = J->mt.y - c_1_product, c_1_exact = c_1_rest - c_1_product_error,
+      c_1_lo = c_1_exact / J->m;
+  const double c_2 = J->mt.z / J->m, c_2_product = KSL_MUL(c_2, J->m),
+      c_2_product_error = ksl_product_error(c_2, J->m, c_2_product),
+      c_2_rest = J->mt.z - c_2_product, c_2_exact = c_2_rest - c_2_product_error,
+      c_2_lo = c_2_exact / J->m;
+  const double squares_0 = KSL_MUL(J->mt.x, c_0), squares_0_cross2 = KSL_MUL(J->mt.x, c_0_lo);
+  const double squares_1 = KSL_MUL(J->mt.y, c_1), squares_1_cross2 = KSL_MUL(J->mt.y, c_1_lo);
+  const double squares_2 = KSL_MUL(J->mt.z, c_2), squares_2_cross2 = KSL_MUL(J->mt.z, c_2_lo);
+  const double Bo_4a = squares_1 + squares_2, Bo_4a_right = Bo_4a - squares_1,
+      Bo_4a_left = Bo_4a - Bo_4a_right,
+      Bo_4a_left_rest = ksl_product_rest(J->mt.y, c_1, squares_1, Bo_4a_left),
+      Bo_4a_right_rest = ksl_product_rest(J->mt.z, c_2, squares_2, Bo_4a_right),
+      Bo_4a_cross = squares_1_cross2 + squares_2_cross2,
+      Bo_4a_lo1 = Bo_4a_left_rest + Bo_4a_right_rest, Bo_4a_lo = Bo_4a_lo1 + Bo_4a_cross,
+      Bo_4 = J->Ixx + Bo_4a, Bo_4_right = Bo_4 - J->Ixx, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = J->Ixx - Bo_4_left, Bo_4_right_rest = Bo_4a - Bo_4_right,
+      Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest, Bo_4_lo = Bo_4_lo1 + Bo_4a_lo;
+  const double Bo_5a = squares_0 + squares_2, Bo_5a_right = Bo_5a - squares_0,
+      Bo_5a_left = Bo_5a - Bo_5a_right,
+      Bo_5a_left_rest = ksl_product_rest(J->mt.x, c_0, squares_0, Bo_5a_left),
+      Bo_5a_right_rest = ksl_product_rest(J->mt.z, c_2, squares_2, Bo_5a_right),
+      Bo_5a_cross = squares_0_cross2 + squares_2_cross2,
+      Bo_5a_lo1 = Bo_5a_left_rest + Bo_5a_right_rest, Bo_5a_lo = Bo_5a_lo1 + Bo_5a_cross,
+      Bo_5 = J->Iyy + Bo_5a, Bo_5_right = Bo_5 - J->Iyy, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = J->Iyy - Bo_5_left, Bo_5_right_rest = Bo_5a - Bo_5_right,
+      Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest, Bo_5_lo = Bo_5_lo1 + Bo_5a_lo;
+  const double Bo_6a = squares_0 + squares_1, Bo_6a_right = Bo_6a - squares_0,
+      Bo_6a_left = Bo_6a - Bo_6a_right,
+      Bo_6a_left_rest = ksl_product_rest(J->mt.x, c_0, squares_0, Bo_6a_left),
+      Bo_6a_right_rest = ksl_product_rest(J->mt.y, c_1, squares_1, Bo_6a_right),
+      Bo_6a_cross = squares_0_cross2 + squares_1_cross2,
+      Bo_6a_lo1 = Bo_6a_left_rest + Bo_6a_right_rest, Bo_6a_lo = Bo_6a_lo1 + Bo_6a_cross,
+      Bo_6 = J->Izz + Bo_6a, Bo_6_right = Bo_6 - J->Izz, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = J->Izz - Bo_6_left, Bo_6_right_rest = Bo_6a - Bo_6_right,
+      Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest, Bo_6_lo = Bo_6_lo1 + Bo_6a_lo;
+  const double Bo_7a = KSL_MUL(J->mt.x, c_1), Bo_7a_cross2 = KSL_MUL(J->mt.x, c_1_lo),
+      Bo_7 = J->Ixy - Bo_7a, Bo_7_right = J->Ixy - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = J->Ixy - Bo_7_left,
+      Bo_7_right_rest = ksl_product_rest(J->mt.x, c_1, Bo_7a, Bo_7_right),
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 - Bo_7a_cross2;
+  const double Bo_8a = KSL_MUL(J->mt.x, c_2), Bo_8a_cross2 = KSL_MUL(J->mt.x, c_2_lo),
+      Bo_8 = J->Izx - Bo_8a, Bo_8_right = J->Izx - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = J->Izx - Bo_8_left,
+      Bo_8_right_rest = ksl_product_rest(J->mt.x, c_2, Bo_8a, Bo_8_right),
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 - Bo_8a_cross2;
+  const double Bo_9a = KSL_MUL(J->mt.y, c_2), Bo_9a_cross2 = KSL_MUL(J->mt.y, c_2_lo),
+      Bo_9 = J->Iyz - Bo_9a, Bo_9_right = J->Iyz - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = J->Iyz - Bo_9_left,
+      Bo_9_right_rest = ksl_product_rest(J->mt.y, c_2, Bo_9a, Bo_9_right),
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 - Bo_9a_cross2;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo,
+      Bo_4_final = Bo_4_rounded == Bo_4_rounded ? Bo_4_rounded : Bo_4;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo,
+      Bo_5_final = Bo_5_rounded == Bo_5_rounded ? Bo_5_rounded : Bo_5;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo,
+      Bo_6_final = Bo_6_rounded == Bo_6_rounded ? Bo_6_rounded : Bo_6;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo,
+      Bo_7_final = Bo_7_rounded == Bo_7_rounded ? Bo_7_rounded : Bo_7;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo,
+      Bo_8_final = Bo_8_rounded == Bo_8_rounded ? Bo_8_rounded : Bo_8;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo,
+      Bo_9_final = Bo_9_rounded == Bo_9_rounded ? Bo_9_rounded : Bo_9;
+  const double J_m = J->m;
+  const double J_mt_x = J->mt.x;
+  const double J_mt_y = J->mt.y;
+  const double J_mt_z = J->mt.z;
+  Bo->m = J_m;
+  Bo->h.x = J_mt_x;
+  Bo->h.y = J_mt_y;
+  Bo->h.z = J_mt_z;
+  Bo->xx = Bo_4_final;
+  Bo->yy = Bo_5_final;
+  Bo->zz = Bo_6_final;
+  Bo->xy = Bo_7_final;
+  Bo->xz = Bo_8_final;
+  Bo->yz = Bo_9_final;
+}
+
+/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
+     a number where m = 0.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
+     yz, zx in kg m^2).
+   15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_inertia_from_spatial_inertia_accurate(const ksl_spatial_inertia_t *B,
+    ksl_inertia_t *Jo) {
+  const double c_0 = B->h.x / B->m, c_0_product = KSL_MUL(c_0, B->m),
+      c_0_product_error = ksl_product_error(c_0, B->m, c_0_product),
+      c_0_rest = B->h.x - c_0_product, c_0_exact = c_0_rest - c_0_product_error,
+      c_0_lo = c_0_exact / B->m;
+  const double c_1 = B->h.y / B->m, c_1_product = KSL_MUL(c_1, B->m),
+      c_1_product_error = ksl_product_error(c_1, B->m, c_1_product),
+      c_1_rest = B->h.y - c_1_product, c_1_exact = c_1_rest - c_1_product_error,
+      c_1_lo = c_1_exact / B->m;
+  const double c_2 = B->h.z / B->m, c_2_product = KSL_MUL(c_2, B->m),
+      c_2_product_error = ksl_product_error(c_2, B->m, c_2_product),
+      c_2_rest = B->h.z - c_2_product, c_2_exact = c_2_rest - c_2_product_error,
+      c_2_lo = c_2_exact / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_0_cross2 = KSL_MUL(B->h.x, c_0_lo);
+  const double squares_1 = KSL_MUL(B->h.y, c_1), squares_1_cross2 = KSL_MUL(B->h.y, c_1_lo);
+  const double squares_2 = KSL_MUL(B->h.z, c_2), squares_2_cross2 = KSL_MUL(B->h.z, c_2_lo);
+  const double Jo_4a = squares_1 + squares_2, Jo_4a_right = Jo_4a - squares_1,
+      Jo_4a_left = Jo_4a - Jo_4a_right,
+      Jo_4a_left_rest = ksl_product_rest(B->h.y, c_1, squares_1, Jo_4a_left),
+      Jo_4a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, Jo_4a_right),
+      Jo_4a_cross = squares_1_cross2 + squares_2_cross2,
+      Jo_4a_lo1 = Jo_4a_left_rest + Jo_4a_right_rest, Jo_4a_lo = Jo_4a_lo1 + Jo_4a_cross,
+      Jo_4 = B->xx - Jo_4a, Jo_4_right = B->xx - Jo_4, Jo_4_left = Jo_4 + Jo_4_right,
+      Jo_4_left_rest = B->xx - Jo_4_left, Jo_4_right_rest = Jo_4a - Jo_4_right,
+      Jo_4_lo1 = Jo_4_left_rest - Jo_4_right_rest, Jo_4_lo = Jo_4_lo1 - Jo_4a_lo;
+  const double Jo_5a = squares_0 + squares_2, Jo_5a_right = Jo_5a - squares_0,
+      Jo_5a_left = Jo_5a - Jo_5a_right,
+      Jo_5a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, Jo_5a_left),
+      Jo_5a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, Jo_5a_right),
+      Jo_5a_cross = squares_0_cross2 + squares_2_cross2,
+      Jo_5a_lo1 = Jo_5a_left_rest + Jo_5a_right_rest, Jo_5a_lo = Jo_5a_lo1 + Jo_5a_cross,
+      Jo_5 = B->yy - Jo_5a, Jo_5_right = B->yy - Jo_5, Jo_5_left = Jo_5 + Jo_5_right,
+      Jo_5_left_rest = B->yy - Jo_5_left, Jo_5_right_rest = Jo_5a - Jo_5_right,
+      Jo_5_lo1 = Jo_5_left_rest - Jo_5_right_rest, Jo_5_lo = Jo_5_lo1 - Jo_5a_lo;
+  const double Jo_6a = squares_0 + squares_1, Jo_6a_right = Jo_6a - squares_0,
+      Jo_6a_left = Jo_6a - Jo_6a_right,
+      Jo_6a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, Jo_6a_left),
+      Jo_6a_right_rest = ksl_product_rest(B->h.y, c_1, squares_1, Jo_6a_right),
+      Jo_6a_cross = squares_0_cross2 + squares_1_cross2,
+      Jo_6a_lo1 = Jo_6a_left_rest + Jo_6a_right_rest, Jo_6a_lo = Jo_6a_lo1 + Jo_6a_cross,
+      Jo_6 = B->zz - Jo_6a, Jo_6_right = B->zz - Jo_6, Jo_6_left = Jo_6 + Jo_6_right,
+      Jo_6_left_rest = B->zz - Jo_6_left, Jo_6_right_rest = Jo_6a - Jo_6_right,
+      Jo_6_lo1 = Jo_6_left_rest - Jo_6_right_rest, Jo_6_lo = Jo_6_lo1 - Jo_6a_lo;
+  const double Jo_7a = KSL_MUL(B->h.x, c_1), Jo_7a_cross2 = KSL_MUL(B->h.x, c_1_lo),
+      Jo_7 = Jo_7a + B->xy, Jo_7_right = Jo_7 - Jo_7a, Jo_7_left = Jo_7 - Jo_7_right,
+      Jo_7_left_rest = ksl_product_rest(B->h.x, c_1, Jo_7a, Jo_7_left),
+      Jo_7_right_rest = B->xy - Jo_7_right, Jo_7_lo1 = Jo_7_left_rest + Jo_7_right_rest,
+      Jo_7_lo = Jo_7_lo1 + Jo_7a_cross2;
+  const double Jo_8a = KSL_MUL(B->h.y, c_2), Jo_8a_cross2 = KSL_MUL(B->h.y, c_2_lo),
+      Jo_8 = Jo_8a + B->yz, Jo_8_right = Jo_8 - Jo_8a, Jo_8_left = Jo_8 - Jo_8_right,
+      Jo_8_left_rest = ksl_product_rest(B->h.y, c_2, Jo_8a, Jo_8_left),
+      Jo_8_right_rest = B->yz - Jo_8_right, Jo_8_lo1 = Jo_8_left_rest + Jo_8_right_rest,
+      Jo_8_lo = Jo_8_lo1 + Jo_8a_cross2;
+  const double Jo_9a = KSL_MUL(B->h.x, c_2), Jo_9a_cross2 = KSL_MUL(B->h.x, c_2_lo),
+      Jo_9 = Jo_9a + B->xz, Jo_9_right = Jo_9 - Jo_9a, Jo_9_left = Jo_9 - Jo_9_right,
+      Jo_9_left_rest = ksl_product_rest(B->h.x, c_2, Jo_9a, Jo_9_left),
+      Jo_9_right_rest = B->xz - Jo_9_right, Jo_9_lo1 = Jo_9_left_rest + Jo_9_right_rest,
+      Jo_9_lo = Jo_9_lo1 + Jo_9a_cross2;
+  const double Jo_4_rounded = Jo_4 + Jo_4_lo,
+      Jo_4_final = Jo_4_rounded == Jo_4_rounded ? Jo_4_rounded : Jo_4;
+  const double Jo_5_rounded = Jo_5 + Jo_5_lo,
+      Jo_5_final = Jo_5_rounded == Jo_5_rounded ? Jo_5_rounded : Jo_5;
+  const double Jo_6_rounded = Jo_6 + Jo_6_lo,
+      Jo_6_final = Jo_6_rounded == Jo_6_rounded ? Jo_6_rounded : Jo_6;
+  const double Jo_7_rounded = Jo_7 + Jo_7_lo,
+      Jo_7_final = Jo_7_rounded == Jo_7_rounded ? Jo_7_rounded : Jo_7;
+  const double Jo_8_rounded = Jo_8 + Jo_8_lo,
+      Jo_8_final = Jo_8_rounded == Jo_8_rounded ? Jo_8_rounded : Jo_8;
+  const double Jo_9_rounded = Jo_9 + Jo_9_lo,
+      Jo_9_final = Jo_9_rounded == Jo_9_rounded ? Jo_9_rounded : Jo_9;
+  const double B_m = B->m;
+  const double B_h_x = B->h.x;
+  const double B_h_y = B->h.y;
+  const double B_h_z = B->h.z;
+  Jo->m = B_m;
+  Jo->mt.x = B_h_x;
+  Jo->mt.y = B_h_y;
+  Jo->mt.z = B_h_z;
+  Jo->Ixx = Jo_4_final;
+  Jo->Iyy = Jo_5_final;
+  Jo->Izz = Jo_6_final;
+  Jo->Ixy = Jo_7_final;
+  Jo->Iyz = Jo_8_final;
+  Jo->Izx = Jo_9_final;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_spatial_inertia_com_accurate(const ksl_spatial_inertia_t *B,
+    ksl_vec3_t *vo) {
+  const double vo_0 = B->h.x / B->m, vo_0_product = KSL_MUL(vo_0, B->m),
+      vo_0_product_error = ksl_product_error(vo_0, B->m, vo_0_product),
+      vo_0_rest = B->h.x - vo_0_product, vo_0_exact = vo_0_rest - vo_0_product_error,
+      vo_0_lo = vo_0_exact / B->m;
+  const double vo_1 = B->h.y / B->m, vo_1_product = KSL_MUL(vo_1, B->m),
+      vo_1_product_error = ksl_product_error(vo_1, B->m, vo_1_product),
+      vo_1_rest = B->h.y - vo_1_product, vo_1_exact = vo_1_rest - vo_1_product_error,
+      vo_1_lo = vo_1_exact / B->m;
+  const double vo_2 = B->h.z / B->m, vo_2_product = KSL_MUL(vo_2, B->m),
+      vo_2_product_error = ksl_product_error(vo_2, B->m, vo_2_product),
+      vo_2_rest = B->h.z - vo_2_product, vo_2_exact = vo_2_rest - vo_2_product_error,
+      vo_2_lo = vo_2_exact / B->m;
+  const double vo_0_rounded = vo_0 + vo_0_lo,
+      vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
+  const double vo_1_rounded = vo_1 + vo_1_lo,
+      vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
+  const double vo_2_rounded = vo_2 + vo_2_lo,
+      vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
+  vo->x = vo_0_final;
+  vo->y = vo_1_final;
+  vo->z = vo_2_final;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select. */
+static inline void ksl_spatial_inertia_about_com_accurate(const ksl_spatial_inertia_t *B,
+    ksl_mat3x3_t *Ro) {
+  const double c_0 = B->h.x / B->m, c_0_product = KSL_MUL(c_0, B->m),
+      c_0_product_error = ksl_product_error(c_0, B->m, c_0_product),
+      c_0_rest = B->h.x - c_0_product, c_0_exact = c_0_rest - c_0_product_error,
+      c_0_lo = c_0_exact / B->m;
+  const double c_1 = B->h.y / B->m, c_1_product = KSL_MUL(c_1, B->m),
+      c_1_product_error = ksl_product_error(c_1, B->m, c_1_product),
+      c_1_rest = B->h.y - c_1_product, c_1_exact = c_1_rest - c_1_product_error,
+      c_1_lo = c_1_exact / B->m;
+  const double c_2 = B->h.z / B->m, c_2_product = KSL_MUL(c_2, B->m),
+      c_2_product_error = ksl_product_error(c_2, B->m, c_2_product),
+      c_2_rest = B->h.z - c_2_product, c_2_exact = c_2_rest - c_2_product_error,
+      c_2_lo = c_2_exact / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_0_cross2 = KSL_MUL(B->h.x, c_0_lo);
+  const double squares_1 = KSL_MUL(B->h.y, c_1), squares_1_cross2 = KSL_MUL(B->h.y, c_1_lo);
+  const double squares_2 = KSL_MUL(B->h.z, c_2), squares_2_cross2 = KSL_MUL(B->h.z, c_2_lo);
+  const double about_0a = squares_1 + squares_2, about_0a_right = about_0a - squares_1,
+      about_0a_left = about_0a - about_0a_right,
+      about_0a_left_rest = ksl_product_rest(B->h.y, c_1, squares_1, about_0a_left),
+      about_0a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, about_0a_right),
+      about_0a_cross = squares_1_cross2 + squares_2_cross2,
+      about_0a_lo1 = about_0a_left_rest + about_0a_right_rest,
+      about_0a_lo = about_0a_lo1 + about_0a_cross, about_0 = B->xx - about_0a,
+      about_0_right = B->xx - about_0, about_0_left = about_0 + about_0_right,
+      about_0_left_rest = B->xx - about_0_left, about_0_right_rest = about_0a - about_0_right,
+      about_0_lo1 = about_0_left_rest - about_0_right_rest, about_0_lo = about_0_lo1 - about_0a_lo;
+  const double about_1a = squares_0 + squares_2, about_1a_right = about_1a - squares_0,
+      about_1a_left = about_1a - about_1a_right,
+      about_1a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, about_1a_left),
+      about_1a_right_rest = ksl_product_rest(B->h.z, c_2, squares_2, about_1a_right),
+      about_1a_cross = squares_0_cross2 + squares_2_cross2,
+      about_1a_lo1 = about_1a_left_rest + about_1a_right_rest,
+      about_1a_lo = about_1a_lo1 + about_1a_cross, about_1 = B->yy - about_1a,
+      about_1_right = B->yy - about_1, about_1_left = about_1 + about_1_right,
+      about_1_left_rest = B->yy - about_1_left, about_1_right_rest = about_1a - about_1_right,
+      about_1_lo1 = about_1_left_rest - about_1_right_rest, about_1_lo = about_1_lo1 - about_1a_lo;
+  const double about_2a = squares_0 + squares_1, about_2a_right = about_2a - squares_0,
+      about_2a_left = about_2a - about_2a_right,
+      about_2a_left_rest = ksl_product_rest(B->h.x, c_0, squares_0, about_2a_left),
+      about_2a_right_rest = ksl_product_rest(B->h.y, c_1, squares_1, about_2a_right),
+      about_2a_cross = squares_0_cross2 + squares_1_cross2,
+      about_2a_lo1 = about_2a_left_rest + about_2a_right_rest,
+      about_2a_lo = about_2a_lo1 + about_2a_cross, about_2 = B->zz - about_2a,
+      about_2_right = B->zz - about_2, about_2_left = about_2 + about_2_right,
+      about_2_left_rest = B->zz - about_2_left, about_2_right_rest = about_2a - about_2_right,
+      about_2_lo1 = about_2_left_rest - about_2_right_rest, about_2_lo = about_2_lo1 - about_2a_lo;
+  const double about_3a = KSL_MUL(B->h.x, c_1), about_3a_cross2 = KSL_MUL(B->h.x, c_1_lo),
+      about_3 = about_3a + B->xy, about_3_right = about_3 - about_3a,
+      about_3_left = about_3 - about_3_right,
+      about_3_left_rest = ksl_product_rest(B->h.x, c_1, about_3a, about_3_left),
+      about_3_right_rest = B->xy - about_3_right,
+      about_3_lo1 = about_3_left_rest + about_3_right_rest,
+      about_3_lo = about_3_lo1 + about_3a_cross2;
+  const double about_4a = KSL_MUL(B->h.x, c_2), about_4a_cross2 = KSL_MUL(B->h.x, c_2_lo),
+      about_4 = about_4a + B->xz, about_4_right = about_4 - about_4a,
+      about_4_left = about_4 - about_4_right,
+      about_4_left_rest = ksl_product_rest(B->h.x, c_2, about_4a, about_4_left),
+      about_4_right_rest = B->xz - about_4_right,
+      about_4_lo1 = about_4_left_rest + about_4_right_rest,
+      about_4_lo = about_4_lo1 + about_4a_cross2;
+  const double about_5a = KSL_MUL(B->h.y, c_2), about_5a_cross2 = KSL_MUL(B->h.y, c_2_lo),
+      about_5 = about_5a + B->yz, about_5_right = about_5 - about_5a,
+      about_5_left = about_5 - about_5_right,
+      about_5_left_rest = ksl_product_rest(B->h.y, c_2, about_5a, about_5_left),
+      about_5_right_rest = B->yz - about_5_right,
+      about_5_lo1 = about_5_left_rest + about_5_right_rest,
+      about_5_lo = about_5_lo1 + about_5a_cross2;
+  const double about_0_rounded = about_0 + about_0_lo,
+      about_0_final = about_0_rounded == about_0_rounded ? about_0_rounded : about_0;
+  const double about_3_rounded = about_3 + about_3_lo,
+      about_3_final = about_3_rounded == about_3_rounded ? about_3_rounded : about_3;
+  const double about_4_rounded = about_4 + about_4_lo,
+      about_4_final = about_4_rounded == about_4_rounded ? about_4_rounded : about_4;
+  const double about_1_rounded = about_1 + about_1_lo,
+      about_1_final = about_1_rounded == about_1_rounded ? about_1_rounded : about_1;
+  const double about_5_rounded = about_5 + about_5_lo,
+      about_5_final = about_5_rounded == about_5_rounded ? about_5_rounded : about_5;
+  const double about_2_rounded = about_2 + about_2_lo,
+      about_2_final = about_2_rounded == about_2_rounded ? about_2_rounded : about_2;
+  Ro->m00 = about_0_final;
+  Ro->m01 = about_3_final;
+  Ro->m02 = about_4_final;
+  Ro->m10 = about_3_final;
+  Ro->m11 = about_1_final;
+  Ro->m12 = about_5_final;
+  Ro->m20 = about_4_final;
+  Ro->m21 = about_5_final;
+  Ro->m22 = about_2_final;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 102 add, 24 product rest.
+   Error <= u |result| + (lin: 11, ang: 19) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_Bs_accurate(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
+    ksl_coscrew_t *co) {
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0d_right = co_0b - co_0d,
+      co_0d_left = co_0d + co_0d_right,
+      co_0d_left_rest = ksl_product_rest(B->h.z, s->m4, co_0b, co_0d_left),
+      co_0d_right_rest = ksl_product_rest(B->h.y, s->m5, co_0c, co_0d_right),
+      co_0d_lo = co_0d_left_rest - co_0d_right_rest, co_0 = co_0a + co_0d,
+      co_0_right = co_0 - co_0a, co_0_left = co_0 - co_0_right,
+      co_0_left_rest = ksl_product_rest(B->m, s->m0, co_0a, co_0_left),
+      co_0_right_rest = co_0d - co_0_right, co_0_lo1 = co_0_left_rest + co_0_right_rest,
+      co_0_lo = co_0_lo1 + co_0d_lo;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1d_right = co_1b - co_1d,
+      co_1d_left = co_1d + co_1d_right,
+      co_1d_left_rest = ksl_product_rest(B->h.x, s->m5, co_1b, co_1d_left),
+      co_1d_right_rest = ksl_product_rest(B->h.z, s->m3, co_1c, co_1d_right),
+      co_1d_lo = co_1d_left_rest - co_1d_right_rest, co_1 = co_1a + co_1d,
+      co_1_right = co_1 - co_1a, co_1_left = co_1 - co_1_right,
+      co_1_left_rest = ksl_product_rest(B->m, s->m1, co_1a, co_1_left),
+      co_1_right_rest = co_1d - co_1_right, co_1_lo1 = co_1_left_rest + co_1_right_rest,
+      co_1_lo = co_1_lo1 + co_1d_lo;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2d_right = co_2b - co_2d,
+      co_2d_left = co_2d + co_2d_right,
+      co_2d_left_rest = ksl_product_rest(B->h.y, s->m3, co_2b, co_2d_left),
+      co_2d_right_rest = ksl_product_rest(B->h.x, s->m4, co_2c, co_2d_right),
+      co_2d_lo = co_2d_left_rest - co_2d_right_rest, co_2 = co_2a + co_2d,
+      co_2_right = co_2 - co_2a, co_2_left = co_2 - co_2_right,
+      co_2_left_rest = ksl_product_rest(B->m, s->m2, co_2a, co_2_left),
+      co_2_right_rest = co_2d - co_2_right, co_2_lo1 = co_2_left_rest + co_2_right_rest,
+      co_2_lo = co_2_lo1 + co_2d_lo;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
+      co_3c_left_rest = ksl_product_rest(B->h.y, s->m2, co_3a, co_3c_left),
+      co_3c_right_rest = ksl_product_rest(B->h.z, s->m1, co_3b, co_3c_right),
+      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = KSL_MUL(B->xx, s->m3),
+      co_3e = KSL_MUL(B->xy, s->m4), co_3f = co_3d + co_3e, co_3f_right = co_3f - co_3d,
+      co_3f_left = co_3f - co_3f_right,
+      co_3f_left_rest = ksl_product_rest(B->xx, s->m3, co_3d, co_3f_left),
+      co_3f_right_rest = ksl_product_rest(B->xy, s->m4, co_3e, co_3f_right),
+      co_3f_lo = co_3f_left_rest + co_3f_right_rest, co_3g = KSL_MUL(B->xz, s->m5),
+      co_3h = co_3f + co_3g, co_3h_right = co_3h - co_3f, co_3h_left = co_3h - co_3h_right,
+      co_3h_left_rest = co_3f - co_3h_left,
+      co_3h_right_rest = ksl_product_rest(B->xz, s->m5, co_3g, co_3h_right),
+      co_3h_lo1 = co_3h_left_rest + co_3h_right_rest, co_3h_lo = co_3h_lo1 + co_3f_lo,
+      co_3 = co_3c + co_3h, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
+      co_3_left_rest = co_3c - co_3_left, co_3_right_rest = co_3h - co_3_right,
+      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo2 = co_3_lo1 + co_3h_lo,
+      co_3_lo = co_3_lo2 + co_3c_lo;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
+      co_4c_left_rest = ksl_product_rest(B->h.z, s->m0, co_4a, co_4c_left),
+      co_4c_right_rest = ksl_product_rest(B->h.x, s->m2, co_4b, co_4c_right),
+      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = KSL_MUL(B->yy, s->m4),
+      co_4e = KSL_MUL(B->xy, s->m3), co_4f = co_4d + co_4e, co_4f_right = co_4f - co_4d,
+      co_4f_left = co_4f - co_4f_right,
+      co_4f_left_rest = ksl_product_rest(B->yy, s->m4, co_4d, co_4f_left),
+      co_4f_right_rest = ksl_product_rest(B->xy, s->m3, co_4e, co_4f_right),
+      co_4f_lo = co_4f_left_rest + co_4f_right_rest, co_4g = KSL_MUL(B->yz, s->m5),
+      co_4h = co_4f + co_4g, co_4h_right = co_4h - co_4f, co_4h_left = co_4h - co_4h_right,
+      co_4h_left_rest = co_4f - co_4h_left,
+      co_4h_right_rest = ksl_product_rest(B->yz, s->m5, co_4g, co_4h_right),
+      co_4h_lo1 = co_4h_left_rest + co_4h_right_rest, co_4h_lo = co_4h_lo1 + co_4f_lo,
+      co_4 = co_4c + co_4h, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
+      co_4_left_rest = co_4c - co_4_left, co_4_right_rest = co_4h - co_4_right,
+      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo2 = co_4_lo1 + co_4h_lo,
+      co_4_lo = co_4_lo2 + co_4c_lo;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
+      co_5c_left_rest = ksl_product_rest(B->h.x, s->m1, co_5a, co_5c_left),
+      co_5c_right_rest = ksl_product_rest(B->h.y, s->m0, co_5b, co_5c_right),
+      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = KSL_MUL(B->zz, s->m5),
+      co_5e = KSL_MUL(B->xz, s->m3), co_5f = co_5d + co_5e, co_5f_right = co_5f - co_5d,
+      co_5f_left = co_5f - co_5f_right,
+      co_5f_left_rest = ksl_product_rest(B->zz, s->m5, co_5d, co_5f_left),
+      co_5f_right_rest = ksl_product_rest(B->xz, s->m3, co_5e, co_5f_right),
+      co_5f_lo = co_5f_left_rest + co_5f_right_rest, co_5g = KSL_MUL(B->yz, s->m4),
+      co_5h = co_5f + co_5g, co_5h_right = co_5h - co_5f, co_5h_left = co_5h - co_5h_right,
+      co_5h_left_rest = co_5f - co_5h_left,
+      co_5h_right_rest = ksl_product_rest(B->yz, s->m4, co_5g, co_5h_right),
+      co_5h_lo1 = co_5h_left_rest + co_5h_right_rest, co_5h_lo = co_5h_lo1 + co_5f_lo,
+      co_5 = co_5c + co_5h, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
+      co_5_left_rest = co_5c - co_5_left, co_5_right_rest = co_5h - co_5_right,
+      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo2 = co_5_lo1 + co_5h_lo,
+      co_5_lo = co_5_lo2 + co_5c_lo;
+  const double co_0_rounded = co_0 + co_0_lo;
+  const double co_1_rounded = co_1 + co_1_lo;
+  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_3_rounded = co_3 + co_3_lo;
+  const double co_4_rounded = co_4 + co_4_lo;
+  const double co_5_rounded = co_5 + co_5_lo;
+  co->m0 = co_0_rounded;
+  co->m1 = co_1_rounded;
+  co->m2 = co_2_rounded;
+  co->m3 = co_3_rounded;
+  co->m4 = co_4_rounded;
+  co->m5 = co_5_rounded;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   38 mul, 155 add, 24 product rest.
+   Error <= u |result| + 38 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline double ksl_spatial_inertia_energy_accurate(const ksl_spatial_inertia_t *B,
+    const ksl_screw_t *s) {
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b, across_0_right = across_0a - across_0,
+      across_0_left = across_0 + across_0_right,
+      across_0_left_rest = ksl_product_rest(B->h.z, s->m4, across_0a, across_0_left),
+      across_0_right_rest = ksl_product_rest(B->h.y, s->m5, across_0b, across_0_right),
+      across_0_lo = across_0_left_rest - across_0_right_rest;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b, across_1_right = across_1a - across_1,
+      across_1_left = across_1 + across_1_right,
+      across_1_left_rest = ksl_product_rest(B->h.x, s->m5, across_1a, across_1_left),
+      across_1_right_rest = ksl_product_rest(B->h.z, s->m3, across_1b, across_1_right),
+      across_1_lo = across_1_left_rest - across_1_right_rest;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b, across_2_right = across_2a - across_2,
+      across_2_left = across_2 + across_2_right,
+      across_2_left_rest = ksl_product_rest(B->h.y, s->m3, across_2a, across_2_left),
+      across_2_right_rest = ksl_product_rest(B->h.x, s->m4, across_2b, across_2_right),
+      across_2_lo = across_2_left_rest - across_2_right_rest;
+  const double twice_across_0_of_across_0 = across_0 + across_0_lo,
+      twice_across_0_of_across_0_right = twice_across_0_of_across_0 - across_0,
+      twice_across_0_of_across_0_left = twice_across_0_of_across_0 - twice_across_0_of_across_0_right,
+      twice_across_0_of_across_0_left_rest = across_0 - twice_across_0_of_across_0_left,
+      twice_across_0_of_across_0_right_rest = across_0_lo - twice_across_0_of_across_0_right,
+      twice_across_0_of_across_0_lo = twice_across_0_of_across_0_left_rest + twice_across_0_of_across_0_right_rest,
+      twice_across_0 = KSL_MUL(2.0, twice_across_0_of_across_0),
+      twice_across_0_cross2 = KSL_MUL(2.0, twice_across_0_of_across_0_lo);
+  const double twice_across_1_of_across_1 = across_1 + across_1_lo,
+      twice_across_1_of_across_1_right = twice_across_1_of_across_1 - across_1,
+      twice_across_1_of_across_1_left = twice_across_1_of_across_1 - twice_across_1_of_across_1_right,
+      twice_across_1_of_across_1_left_rest = across_1 - twice_across_1_of_across_1_left,
+      twice_across_1_of_across_1_right_rest = across_1_lo - twice_across_1_of_across_1_right,
+      twice_across_1_of_across_1_lo = twice_across_1_of_across_1_left_rest + twice_across_1_of_across_1_right_rest,
+      twice_across_1 = KSL_MUL(2.0, twice_across_1_of_across_1),
+      twice_across_1_cross2 = KSL_MUL(2.0, twice_across_1_of_across_1_lo);
+  const double twice_across_2_of_across_2 = across_2 + across_2_lo,
+      twice_across_2_of_across_2_right = twice_across_2_of_across_2 - across_2,
+      twice_across_2_of_across_2_left = twice_across_2_of_across_2 - twice_across_2_of_across_2_right,
+      twice_across_2_of_across_2_left_rest = across_2 - twice_across_2_of_across_2_left,
+      twice_across_2_of_across_2_right_rest = across_2_lo - twice_across_2_of_across_2_right,
+      twice_across_2_of_across_2_lo = twice_across_2_of_across_2_left_rest + twice_across_2_of_across_2_right_rest,
+      twice_across_2 = KSL_MUL(2.0, twice_across_2_of_across_2),
+      twice_across_2_cross2 = KSL_MUL(2.0, twice_across_2_of_across_2_lo);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0, p_0_right = p_0 - p_0a,
+      p_0_left = p_0 - p_0_right, p_0_left_rest = ksl_product_rest(B->m, s->m0, p_0a, p_0_left),
+      p_0_right_rest = twice_across_0 - p_0_right, p_0_lo1 = p_0_left_rest + p_0_right_rest,
+      p_0_lo = p_0_lo1 + twice_across_0_cross2;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1, p_1_right = p_1 - p_1a,
+      p_1_left = p_1 - p_1_right, p_1_left_rest = ksl_product_rest(B->m, s->m1, p_1a, p_1_left),
+      p_1_right_rest = twice_across_1 - p_1_right, p_1_lo1 = p_1_left_rest + p_1_right_rest,
+      p_1_lo = p_1_lo1 + twice_across_1_cross2;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2, p_2_right = p_2 - p_2a,
+      p_2_left = p_2 - p_2_right, p_2_left_rest = ksl_product_rest(B->m, s->m2, p_2a, p_2_left),
+      p_2_right_rest = twice_across_2 - p_2_right, p_2_lo1 = p_2_left_rest + p_2_right_rest,
+      p_2_lo = p_2_lo1 + twice_across_2_cross2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0c_right = L_0c - L_0a, L_0c_left = L_0c - L_0c_right,
+      L_0c_left_rest = ksl_product_rest(B->xx, s->m3, L_0a, L_0c_left),
+      L_0c_right_rest = ksl_product_rest(B->xy, s->m4, L_0b, L_0c_right),
+      L_0c_lo = L_0c_left_rest + L_0c_right_rest, L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d,
+      L_0_right = L_0 - L_0c, L_0_left = L_0 - L_0_right, L_0_left_rest = L_0c - L_0_left,
+      L_0_right_rest = ksl_product_rest(B->xz, s->m5, L_0d, L_0_right),
+      L_0_lo1 = L_0_left_rest + L_0_right_rest, L_0_lo = L_0_lo1 + L_0c_lo;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1c_right = L_1c - L_1a, L_1c_left = L_1c - L_1c_right,
+      L_1c_left_rest = ksl_product_rest(B->yy, s->m4, L_1a, L_1c_left),
+      L_1c_right_rest = ksl_product_rest(B->xy, s->m3, L_1b, L_1c_right),
+      L_1c_lo = L_1c_left_rest + L_1c_right_rest, L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d,
+      L_1_right = L_1 - L_1c, L_1_left = L_1 - L_1_right, L_1_left_rest = L_1c - L_1_left,
+      L_1_right_rest = ksl_product_rest(B->yz, s->m5, L_1d, L_1_right),
+      L_1_lo1 = L_1_left_rest + L_1_right_rest, L_1_lo = L_1_lo1 + L_1c_lo;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2c_right = L_2c - L_2a, L_2c_left = L_2c - L_2c_right,
+      L_2c_left_rest = ksl_product_rest(B->zz, s->m5, L_2a, L_2c_left),
+      L_2c_right_rest = ksl_product_rest(B->xz, s->m3, L_2b, L_2c_right),
+      L_2c_lo = L_2c_left_rest + L_2c_right_rest, L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d,
+      L_2_right = L_2 - L_2c, L_2_left = L_2 - L_2_right, L_2_left_rest = L_2c - L_2_left,
+      L_2_right_rest = ksl_product_rest(B->yz, s->m4, L_2d, L_2_right),
+      L_2_lo1 = L_2_left_rest + L_2_right_rest, L_2_lo = L_2_lo1 + L_2c_lo;
+  const double twice_a_of_p_0 = p_0 + p_0_lo, twice_a_of_p_0_right = twice_a_of_p_0 - p_0,
+      twice_a_of_p_0_left = twice_a_of_p_0 - twice_a_of_p_0_right,
+      twice_a_of_p_0_left_rest = p_0 - twice_a_of_p_0_left,
+      twice_a_of_p_0_right_rest = p_0_lo - twice_a_of_p_0_right,
+      twice_a_of_p_0_lo = twice_a_of_p_0_left_rest + twice_a_of_p_0_right_rest,
+      twice_a = KSL_MUL(s->m0, twice_a_of_p_0), twice_a_cross2 = KSL_MUL(s->m0, twice_a_of_p_0_lo),
+      twice_b_of_p_1 = p_1 + p_1_lo, twice_b_of_p_1_right = twice_b_of_p_1 - p_1,
+      twice_b_of_p_1_left = twice_b_of_p_1 - twice_b_of_p_1_right,
+      twice_b_of_p_1_left_rest = p_1 - twice_b_of_p_1_left,
+      twice_b_of_p_1_right_rest = p_1_lo - twice_b_of_p_1_right,
+      twice_b_of_p_1_lo = twice_b_of_p_1_left_rest + twice_b_of_p_1_right_rest,
+      twice_b = KSL_MUL(s->m1, twice_b_of_p_1), twice_b_cross2 = KSL_MUL(s->m1, twice_b_of_p_1_lo),
+      twice_c = twice_a + twice_b, twice_c_right = twice_c - twice_a,
+      twice_c_left = twice_c - twice_c_right,
+      twice_c_left_rest = ksl_product_rest(s->m0, twice_a_of_p_0, twice_a, twice_c_left),
+      twice_c_right_rest = ksl_product_rest(s->m1, twice_b_of_p_1, twice_b, twice_c_right),
+      twice_c_cross = twice_a_cross2 + twice_b_cross2,
+      twice_c_lo1 = twice_c_left_rest + twice_c_right_rest,
+      twice_c_lo = twice_c_lo1 + twice_c_cross, twice_d_of_p_2 = p_2 + p_2_lo,
+      twice_d_of_p_2_right = twice_d_of_p_2 - p_2,
+      twice_d_of_p_2_left = twice_d_of_p_2 - twice_d_of_p_2_right,
+      twice_d_of_p_2_left_rest = p_2 - twice_d_of_p_2_left,
+      twice_d_of_p_2_right_rest = p_2_lo - twice_d_of_p_2_right,
+      twice_d_of_p_2_lo = twice_d_of_p_2_left_rest + twice_d_of_p_2_right_rest,
+      twice_d = KSL_MUL(s->m2, twice_d_of_p_2), twice_d_cross2 = KSL_MUL(s->m2, twice_d_of_p_2_lo),
+      twice_e = twice_c + twice_d, twice_e_right = twice_e - twice_c,
+      twice_e_left = twice_e - twice_e_right, twice_e_left_rest = twice_c - twice_e_left,
+      twice_e_right_rest = ksl_product_rest(s->m2, twice_d_of_p_2, twice_d, twice_e_right),
+      twice_e_lo1 = twice_e_left_rest + twice_e_right_rest,
+      twice_e_lo2 = twice_e_lo1 + twice_d_cross2, twice_e_lo = twice_e_lo2 + twice_c_lo,
+      twice_f_of_L_0 = L_0 + L_0_lo, twice_f_of_L_0_right = twice_f_of_L_0 - L_0,
+      twice_f_of_L_0_left = twice_f_of_L_0 - twice_f_of_L_0_right,
+      twice_f_of_L_0_left_rest = L_0 - twice_f_of_L_0_left,
+      twice_f_of_L_0_right_rest = L_0_lo - twice_f_of_L_0_right,
+      twice_f_of_L_0_lo = twice_f_of_L_0_left_rest + twice_f_of_L_0_right_rest,
+      twice_f = KSL_MUL(s->m3, twice_f_of_L_0), twice_f_cross2 = KSL_MUL(s->m3, twice_f_of_L_0_lo),
+      twice_g_of_L_1 = L_1 + L_1_lo, twice_g_of_L_1_right = twice_g_of_L_1 - L_1,
+      twice_g_of_L_1_left = twice_g_of_L_1 - twice_g_of_L_1_right,
+      twice_g_of_L_1_left_rest = L_1 - twice_g_of_L_1_left,
+      twice_g_of_L_1_right_rest = L_1_lo - twice_g_of_L_1_right,
+      twice_g_of_L_1_lo = twice_g_of_L_1_left_rest + twice_g_of_L_1_right_rest,
+      twice_g = KSL_MUL(s->m4, twice_g_of_L_1), twice_g_cross2 = KSL_MUL(s->m4, twice_g_of_L_1_lo),
+      twice_h = twice_f + twice_g, twice_h_right = twice_h - twice_f,
+      twice_h_left = twice_h - twice_h_right,
+      twice_h_left_rest = ksl_product_rest(s->m3, twice_f_of_L_0, twice_f, twice_h_left),
+      twice_h_right_rest = ksl_product_rest(s->m4, twice_g_of_L_1, twice_g, twice_h_right),
+      twice_h_cross = twice_f_cross2 + twice_g_cross2,
+      twice_h_lo1 = twice_h_left_rest + twice_h_right_rest,
+      twice_h_lo = twice_h_lo1 + twice_h_cross, twice_i_of_L_2 = L_2 + L_2_lo,
+      twice_i_of_L_2_right = twice_i_of_L_2 - L_2,
+      twice_i_of_L_2_left = twice_i_of_L_2 - twice_i_of_L_2_right,
+      twice_i_of_L_2_left_rest = L_2 - twice_i_of_L_2_left,
+      twice_i_of_L_2_right_rest = L_2_lo - twice_i_of_L_2_right,
+      twice_i_of_L_2_lo = twice_i_of_L_2_left_rest + twice_i_of_L_2_right_rest,
+      twice_i = KSL_MUL(s->m5, twice_i_of_L_2), twice_i_cross2 = KSL_MUL(s->m5, twice_i_of_L_2_lo),
+      twice_j = twice_h + twice_i, twice_j_right = twice_j - twice_h,
+      twice_j_left = twice_j - twice_j_right, twice_j_left_rest = twice_h - twice_j_left,
+      twice_j_right_rest = ksl_product_rest(s->m5, twice_i_of_L_2, twice_i, twice_j_right),
+      twice_j_lo1 = twice_j_left_rest + twice_j_right_rest,
+      twice_j_lo2 = twice_j_lo1 + twice_i_cross2, twice_j_lo = twice_j_lo2 + twice_h_lo,
+      twice = twice_e + twice_j, twice_right = twice - twice_e, twice_left = twice - twice_right,
+      twice_left_rest = twice_e - twice_left, twice_right_rest = twice_j - twice_right,
+      twice_lo1 = twice_left_rest + twice_right_rest, twice_lo2 = twice_lo1 + twice_j_lo,
+      twice_lo = twice_lo2 + twice_e_lo;
+  const double energy_of_twice = twice + twice_lo, energy_of_twice_right = energy_of_twice - twice,
+      energy_of_twice_left = energy_of_twice - energy_of_twice_right,
+      energy_of_twice_left_rest = twice - energy_of_twice_left,
+      energy_of_twice_right_rest = twice_lo - energy_of_twice_right,
+      energy_of_twice_lo = energy_of_twice_left_rest + energy_of_twice_right_rest,
+      energy = KSL_MUL(0.5, energy_of_twice), energy_cross2 = KSL_MUL(0.5, energy_of_twice_lo);
+  const double energy_rounded = energy + energy_cross2;
+  return energy_rounded;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   33 mul, 138 add, 6 product error, 6 product rest.
+   Error <= u |result| + (m: 0, h: 2, I: 20) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertia_shifted_accurate(const ksl_vec3_t *t,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double mt_0_lo = ksl_product_error(t->x, B->m, mt_0), half_0 = KSL_MUL(0.5, mt_0),
+      half_0_cross2 = KSL_MUL(0.5, mt_0_lo);
+  const double mt_1_lo = ksl_product_error(t->y, B->m, mt_1), half_1 = KSL_MUL(0.5, mt_1),
+      half_1_cross2 = KSL_MUL(0.5, mt_1_lo);
+  const double mt_2_lo = ksl_product_error(t->z, B->m, mt_2), half_2 = KSL_MUL(0.5, mt_2),
+      half_2_cross2 = KSL_MUL(0.5, mt_2_lo);
+  const double n_0 = B->h.x + half_0, n_0_right = n_0 - B->h.x, n_0_left = n_0 - n_0_right,
+      n_0_left_rest = B->h.x - n_0_left, n_0_right_rest = half_0 - n_0_right,
+      n_0_lo1 = n_0_left_rest + n_0_right_rest, n_0_lo = n_0_lo1 + half_0_cross2;
+  const double n_1 = B->h.y + half_1, n_1_right = n_1 - B->h.y, n_1_left = n_1 - n_1_right,
+      n_1_left_rest = B->h.y - n_1_left, n_1_right_rest = half_1 - n_1_right,
+      n_1_lo1 = n_1_left_rest + n_1_right_rest, n_1_lo = n_1_lo1 + half_1_cross2;
+  const double n_2 = B->h.z + half_2, n_2_right = n_2 - B->h.z, n_2_left = n_2 - n_2_right,
+      n_2_left_rest = B->h.z - n_2_left, n_2_right_rest = half_2 - n_2_right,
+      n_2_lo1 = n_2_left_rest + n_2_right_rest, n_2_lo = n_2_lo1 + half_2_cross2;
+  const double tn0 = KSL_MUL(t->x, n_0), tn0_cross2 = KSL_MUL(t->x, n_0_lo);
+  const double tn1 = KSL_MUL(t->y, n_1), tn1_cross2 = KSL_MUL(t->y, n_1_lo);
+  const double tn2 = KSL_MUL(t->z, n_2), tn2_cross2 = KSL_MUL(t->z, n_2_lo);
+  const double tn0_error = ksl_product_error(t->x, n_0, tn0), tn0_lo = tn0_error + tn0_cross2,
+      own_0 = KSL_MUL(2.0, tn0), own_0_cross2 = KSL_MUL(2.0, tn0_lo);
+  const double tn1_error = ksl_product_error(t->y, n_1, tn1), tn1_lo = tn1_error + tn1_cross2,
+      own_1 = KSL_MUL(2.0, tn1), own_1_cross2 = KSL_MUL(2.0, tn1_lo);
+  const double tn2_error = ksl_product_error(t->z, n_2, tn2), tn2_lo = tn2_error + tn2_cross2,
+      own_2 = KSL_MUL(2.0, tn2), own_2_cross2 = KSL_MUL(2.0, tn2_lo);
+  const double pairs_0 = own_1 + own_2, pairs_0_right = pairs_0 - own_1,
+      pairs_0_left = pairs_0 - pairs_0_right, pairs_0_left_rest = own_1 - pairs_0_left,
+      pairs_0_right_rest = own_2 - pairs_0_right,
+      pairs_0_lo1 = pairs_0_left_rest + pairs_0_right_rest,
+      pairs_0_lo2 = pairs_0_lo1 + own_2_cross2, pairs_0_lo = pairs_0_lo2 + own_1_cross2;
+  const double pairs_1 = own_0 + own_2, pairs_1_right = pairs_1 - own_0,
+      pairs_1_left = pairs_1 - pairs_1_right, pairs_1_left_rest = own_0 - pairs_1_left,
+      pairs_1_right_rest = own_2 - pairs_1_right,
+      pairs_1_lo1 = pairs_1_left_rest + pairs_1_right_rest,
+      pairs_1_lo2 = pairs_1_lo1 + own_2_cross2, pairs_1_lo = pairs_1_lo2 + own_0_cross2;
+  const double pairs_2 = own_0 + own_1, pairs_2_right = pairs_2 - own_0,
+      pairs_2_left = pairs_2 - pairs_2_right, pairs_2_left_rest = own_0 - pairs_2_left,
+      pairs_2_right_rest = own_1 - pairs_2_right,
+      pairs_2_lo1 = pairs_2_left_rest + pairs_2_right_rest,
+      pairs_2_lo2 = pairs_2_lo1 + own_1_cross2, pairs_2_lo = pairs_2_lo2 + own_0_cross2;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3a_cross2 = KSL_MUL(t->x, n_1_lo),
+      pairs_3b = KSL_MUL(t->y, n_0), pairs_3b_cross2 = KSL_MUL(t->y, n_0_lo),
+      pairs_3 = pairs_3a + pairs_3b, pairs_3_right = pairs_3 - pairs_3a,
+      pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(t->x, n_1, pairs_3a, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(t->y, n_0, pairs_3b, pairs_3_right),
+      pairs_3_cross = pairs_3a_cross2 + pairs_3b_cross2,
+      pairs_3_lo1 = pairs_3_left_rest + pairs_3_right_rest,
+      pairs_3_lo = pairs_3_lo1 + pairs_3_cross;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4a_cross2 = KSL_MUL(t->x, n_2_lo),
+      pairs_4b = KSL_MUL(t->z, n_0), pairs_4b_cross2 = KSL_MUL(t->z, n_0_lo),
+      pairs_4 = pairs_4a + pairs_4b, pairs_4_right = pairs_4 - pairs_4a,
+      pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(t->x, n_2, pairs_4a, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(t->z, n_0, pairs_4b, pairs_4_right),
+      pairs_4_cross = pairs_4a_cross2 + pairs_4b_cross2,
+      pairs_4_lo1 = pairs_4_left_rest + pairs_4_right_rest,
+      pairs_4_lo = pairs_4_lo1 + pairs_4_cross;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5a_cross2 = KSL_MUL(t->y, n_2_lo),
+      pairs_5b = KSL_MUL(t->z, n_1), pairs_5b_cross2 = KSL_MUL(t->z, n_1_lo),
+      pairs_5 = pairs_5a + pairs_5b, pairs_5_right = pairs_5 - pairs_5a,
+      pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(t->y, n_2, pairs_5a, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(t->z, n_1, pairs_5b, pairs_5_right),
+      pairs_5_cross = pairs_5a_cross2 + pairs_5b_cross2,
+      pairs_5_lo1 = pairs_5_left_rest + pairs_5_right_rest,
+      pairs_5_lo = pairs_5_lo1 + pairs_5_cross;
+  const double moved_0 = B->h.x + mt_0, moved_0_right = moved_0 - B->h.x,
+      moved_0_left = moved_0 - moved_0_right, moved_0_left_rest = B->h.x - moved_0_left,
+      moved_0_right_rest = mt_0 - moved_0_right,
+      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo = moved_0_lo1 + mt_0_lo;
+  const double moved_1 = B->h.y + mt_1, moved_1_right = moved_1 - B->h.y,
+      moved_1_left = moved_1 - moved_1_right, moved_1_left_rest = B->h.y - moved_1_left,
+      moved_1_right_rest = mt_1 - moved_1_right,
+      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo = moved_1_lo1 + mt_1_lo;
+  const double moved_2 = B->h.z + mt_2, moved_2_right = moved_2 - B->h.z,
+      moved_2_left = moved_2 - moved_2_right, moved_2_left_rest = B->h.z - moved_2_left,
+      moved_2_right_rest = mt_2 - moved_2_right,
+      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo = moved_2_lo1 + mt_2_lo;
+  const double Bo_4 = B->xx + pairs_0, Bo_4_right = Bo_4 - B->xx, Bo_4_left = Bo_4 - Bo_4_right,
+      Bo_4_left_rest = B->xx - Bo_4_left, Bo_4_right_rest = pairs_0 - Bo_4_right,
+      Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest, Bo_4_lo = Bo_4_lo1 + pairs_0_lo;
+  const double Bo_5 = B->yy + pairs_1, Bo_5_right = Bo_5 - B->yy, Bo_5_left = Bo_5 - Bo_5_right,
+      Bo_5_left_rest = B->yy - Bo_5_left, Bo_5_right_rest = pairs_1 - Bo_5_right,
+      Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest, Bo_5_lo = Bo_5_lo1 + pairs_1_lo;
+  const double Bo_6 = B->zz + pairs_2, Bo_6_right = Bo_6 - B->zz, Bo_6_left = Bo_6 - Bo_6_right,
+      Bo_6_left_rest = B->zz - Bo_6_left, Bo_6_right_rest = pairs_2 - Bo_6_right,
+      Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest, Bo_6_lo = Bo_6_lo1 + pairs_2_lo;
+  const double Bo_7 = B->xy - pairs_3, Bo_7_right = B->xy - Bo_7, Bo_7_left = Bo_7 + Bo_7_right,
+      Bo_7_left_rest = B->xy - Bo_7_left, Bo_7_right_rest = pairs_3 - Bo_7_right,
+      Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest, Bo_7_lo = Bo_7_lo1 - pairs_3_lo;
+  const double Bo_8 = B->xz - pairs_4, Bo_8_right = B->xz - Bo_8, Bo_8_left = Bo_8 + Bo_8_right,
+      Bo_8_left_rest = B->xz - Bo_8_left, Bo_8_right_rest = pairs_4 - Bo_8_right,
+      Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest, Bo_8_lo = Bo_8_lo1 - pairs_4_lo;
+  const double Bo_9 = B->yz - pairs_5, Bo_9_right = B->yz - Bo_9, Bo_9_left = Bo_9 + Bo_9_right,
+      Bo_9_left_rest = B->yz - Bo_9_left, Bo_9_right_rest = pairs_5 - Bo_9_right,
+      Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest, Bo_9_lo = Bo_9_lo1 - pairs_5_lo;
+  const double moved_0_rounded = moved_0 + moved_0_lo;
+  const double moved_1_rounded = moved_1 + moved_1_lo;
+  const double moved_2_rounded = moved_2 + moved_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0_rounded;
+  Bo->h.y = moved_1_rounded;
+  Bo->h.z = moved_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   105 mul, 420 add, 6 product error, 60 product rest.
+   Error <= u |result| + (m: 0, h: 16, I: 35) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0c_right = RI_0c - RI_0a, RI_0c_left = RI_0c - RI_0c_right,
+      RI_0c_left_rest = ksl_product_rest(D->m00, B->xx, RI_0a, RI_0c_left),
+      RI_0c_right_rest = ksl_product_rest(D->m01, B->xy, RI_0b, RI_0c_right),
+      RI_0c_lo = RI_0c_left_rest + RI_0c_right_rest, RI_0d = KSL_MUL(D->m02, B->xz),
+      RI_0 = RI_0c + RI_0d, RI_0_right = RI_0 - RI_0c, RI_0_left = RI_0 - RI_0_right,
+      RI_0_left_rest = RI_0c - RI_0_left,
+      RI_0_right_rest = ksl_product_rest(D->m02, B->xz, RI_0d, RI_0_right),
+      RI_0_lo1 = RI_0_left_rest + RI_0_right_rest, RI_0_lo = RI_0_lo1 + RI_0c_lo;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1c_right = RI_1c - RI_1a, RI_1c_left = RI_1c - RI_1c_right,
+      RI_1c_left_rest = ksl_product_rest(D->m00, B->xy, RI_1a, RI_1c_left),
+      RI_1c_right_rest = ksl_product_rest(D->m01, B->yy, RI_1b, RI_1c_right),
+      RI_1c_lo = RI_1c_left_rest + RI_1c_right_rest, RI_1d = KSL_MUL(D->m02, B->yz),
+      RI_1 = RI_1c + RI_1d, RI_1_right = RI_1 - RI_1c, RI_1_left = RI_1 - RI_1_right,
+      RI_1_left_rest = RI_1c - RI_1_left,
+      RI_1_right_rest = ksl_product_rest(D->m02, B->yz, RI_1d, RI_1_right),
+      RI_1_lo1 = RI_1_left_rest + RI_1_right_rest, RI_1_lo = RI_1_lo1 + RI_1c_lo;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2c_right = RI_2c - RI_2a, RI_2c_left = RI_2c - RI_2c_right,
+      RI_2c_left_rest = ksl_product_rest(D->m00, B->xz, RI_2a, RI_2c_left),
+      RI_2c_right_rest = ksl_product_rest(D->m01, B->yz, RI_2b, RI_2c_right),
+      RI_2c_lo = RI_2c_left_rest + RI_2c_right_rest, RI_2d = KSL_MUL(D->m02, B->zz),
+      RI_2 = RI_2c + RI_2d, RI_2_right = RI_2 - RI_2c, RI_2_left = RI_2 - RI_2_right,
+      RI_2_left_rest = RI_2c - RI_2_left,
+      RI_2_right_rest = ksl_product_rest(D->m02, B->zz, RI_2d, RI_2_right),
+      RI_2_lo1 = RI_2_left_rest + RI_2_right_rest, RI_2_lo = RI_2_lo1 + RI_2c_lo;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3c_right = RI_3c - RI_3a, RI_3c_left = RI_3c - RI_3c_right,
+      RI_3c_left_rest = ksl_product_rest(D->m10, B->xx, RI_3a, RI_3c_left),
+      RI_3c_right_rest = ksl_product_rest(D->m11, B->xy, RI_3b, RI_3c_right),
+      RI_3c_lo = RI_3c_left_rest + RI_3c_right_rest, RI_3d = KSL_MUL(D->m12, B->xz),
+      RI_3 = RI_3c + RI_3d, RI_3_right = RI_3 - RI_3c, RI_3_left = RI_3 - RI_3_right,
+      RI_3_left_rest = RI_3c - RI_3_left,
+      RI_3_right_rest = ksl_product_rest(D->m12, B->xz, RI_3d, RI_3_right),
+      RI_3_lo1 = RI_3_left_rest + RI_3_right_rest, RI_3_lo = RI_3_lo1 + RI_3c_lo;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4c_right = RI_4c - RI_4a, RI_4c_left = RI_4c - RI_4c_right,
+      RI_4c_left_rest = ksl_product_rest(D->m10, B->xy, RI_4a, RI_4c_left),
+      RI_4c_right_rest = ksl_product_rest(D->m11, B->yy, RI_4b, RI_4c_right),
+      RI_4c_lo = RI_4c_left_rest + RI_4c_right_rest, RI_4d = KSL_MUL(D->m12, B->yz),
+      RI_4 = RI_4c + RI_4d, RI_4_right = RI_4 - RI_4c, RI_4_left = RI_4 - RI_4_right,
+      RI_4_left_rest = RI_4c - RI_4_left,
+      RI_4_right_rest = ksl_product_rest(D->m12, B->yz, RI_4d, RI_4_right),
+      RI_4_lo1 = RI_4_left_rest + RI_4_right_rest, RI_4_lo = RI_4_lo1 + RI_4c_lo;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5c_right = RI_5c - RI_5a, RI_5c_left = RI_5c - RI_5c_right,
+      RI_5c_left_rest = ksl_product_rest(D->m10, B->xz, RI_5a, RI_5c_left),
+      RI_5c_right_rest = ksl_product_rest(D->m11, B->yz, RI_5b, RI_5c_right),
+      RI_5c_lo = RI_5c_left_rest + RI_5c_right_rest, RI_5d = KSL_MUL(D->m12, B->zz),
+      RI_5 = RI_5c + RI_5d, RI_5_right = RI_5 - RI_5c, RI_5_left = RI_5 - RI_5_right,
+      RI_5_left_rest = RI_5c - RI_5_left,
+      RI_5_right_rest = ksl_product_rest(D->m12, B->zz, RI_5d, RI_5_right),
+      RI_5_lo1 = RI_5_left_rest + RI_5_right_rest, RI_5_lo = RI_5_lo1 + RI_5c_lo;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6c_right = RI_6c - RI_6a, RI_6c_left = RI_6c - RI_6c_right,
+      RI_6c_left_rest = ksl_product_rest(D->m20, B->xx, RI_6a, RI_6c_left),
+      RI_6c_right_rest = ksl_product_rest(D->m21, B->xy, RI_6b, RI_6c_right),
+      RI_6c_lo = RI_6c_left_rest + RI_6c_right_rest, RI_6d = KSL_MUL(D->m22, B->xz),
+      RI_6 = RI_6c + RI_6d, RI_6_right = RI_6 - RI_6c, RI_6_left = RI_6 - RI_6_right,
+      RI_6_left_rest = RI_6c - RI_6_left,
+      RI_6_right_rest = ksl_product_rest(D->m22, B->xz, RI_6d, RI_6_right),
+      RI_6_lo1 = RI_6_left_rest + RI_6_right_rest, RI_6_lo = RI_6_lo1 + RI_6c_lo;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7c_right = RI_7c - RI_7a, RI_7c_left = RI_7c - RI_7c_right,
+      RI_7c_left_rest = ksl_product_rest(D->m20, B->xy, RI_7a, RI_7c_left),
+      RI_7c_right_rest = ksl_product_rest(D->m21, B->yy, RI_7b, RI_7c_right),
+      RI_7c_lo = RI_7c_left_rest + RI_7c_right_rest, RI_7d = KSL_MUL(D->m22, B->yz),
+      RI_7 = RI_7c + RI_7d, RI_7_right = RI_7 - RI_7c, RI_7_left = RI_7 - RI_7_right,
+      RI_7_left_rest = RI_7c - RI_7_left,
+      RI_7_right_rest = ksl_product_rest(D->m22, B->yz, RI_7d, RI_7_right),
+      RI_7_lo1 = RI_7_left_rest + RI_7_right_rest, RI_7_lo = RI_7_lo1 + RI_7c_lo;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8c_right = RI_8c - RI_8a, RI_8c_left = RI_8c - RI_8c_right,
+      RI_8c_left_rest = ksl_product_rest(D->m20, B->xz, RI_8a, RI_8c_left),
+      RI_8c_right_rest = ksl_product_rest(D->m21, B->yz, RI_8b, RI_8c_right),
+      RI_8c_lo = RI_8c_left_rest + RI_8c_right_rest, RI_8d = KSL_MUL(D->m22, B->zz),
+      RI_8 = RI_8c + RI_8d, RI_8_right = RI_8 - RI_8c, RI_8_left = RI_8 - RI_8_right,
+      RI_8_left_rest = RI_8c - RI_8_left,
+      RI_8_right_rest = ksl_product_rest(D->m22, B->zz, RI_8d, RI_8_right),
+      RI_8_lo1 = RI_8_left_rest + RI_8_right_rest, RI_8_lo = RI_8_lo1 + RI_8c_lo;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1c_right = turned_1c - turned_1a,
+      turned_1c_left = turned_1c - turned_1c_right,
+      turned_1c_left_rest = ksl_product_rest(D->m00, B->h.x, turned_1a, turned_1c_left),
+      turned_1c_right_rest = ksl_product_rest(D->m01, B->h.y, turned_1b, turned_1c_right),
+      turned_1c_lo = turned_1c_left_rest + turned_1c_right_rest,
+      turned_1d = KSL_MUL(D->m02, B->h.z), turned_1 = turned_1c + turned_1d,
+      turned_1_right = turned_1 - turned_1c, turned_1_left = turned_1 - turned_1_right,
+      turned_1_left_rest = turned_1c - turned_1_left,
+      turned_1_right_rest = ksl_product_rest(D->m02, B->h.z, turned_1d, turned_1_right),
+      turned_1_lo1 = turned_1_left_rest + turned_1_right_rest,
+      turned_1_lo = turned_1_lo1 + turned_1c_lo;
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2c_right = turned_2c - turned_2a,
+      turned_2c_left = turned_2c - turned_2c_right,
+      turned_2c_left_rest = ksl_product_rest(D->m10, B->h.x, turned_2a, turned_2c_left),
+      turned_2c_right_rest = ksl_product_rest(D->m11, B->h.y, turned_2b, turned_2c_right),
+      turned_2c_lo = turned_2c_left_rest + turned_2c_right_rest,
+      turned_2d = KSL_MUL(D->m12, B->h.z), turned_2 = turned_2c + turned_2d,
+      turned_2_right = turned_2 - turned_2c, turned_2_left = turned_2 - turned_2_right,
+      turned_2_left_rest = turned_2c - turned_2_left,
+      turned_2_right_rest = ksl_product_rest(D->m12, B->h.z, turned_2d, turned_2_right),
+      turned_2_lo1 = turned_2_left_rest + turned_2_right_rest,
+      turned_2_lo = turned_2_lo1 + turned_2c_lo;
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3c_right = turned_3c - turned_3a,
+      turned_3c_left = turned_3c - turned_3c_right,
+      turned_3c_left_rest = ksl_product_rest(D->m20, B->h.x, turned_3a, turned_3c_left),
+      turned_3c_right_rest = ksl_product_rest(D->m21, B->h.y, turned_3b, turned_3c_right),
+      turned_3c_lo = turned_3c_left_rest + turned_3c_right_rest,
+      turned_3d = KSL_MUL(D->m22, B->h.z), turned_3 = turned_3c + turned_3d,
+      turned_3_right = turned_3 - turned_3c, turned_3_left = turned_3 - turned_3_right,
+      turned_3_left_rest = turned_3c - turned_3_left,
+      turned_3_right_rest = ksl_product_rest(D->m22, B->h.z, turned_3d, turned_3_right),
+      turned_3_lo1 = turned_3_left_rest + turned_3_right_rest,
+      turned_3_lo = turned_3_lo1 + turned_3c_lo;
+  const double turned_4a_of_RI_0 = RI_0 + RI_0_lo,
+      turned_4a_of_RI_0_right = turned_4a_of_RI_0 - RI_0,
+      turned_4a_of_RI_0_left = turned_4a_of_RI_0 - turned_4a_of_RI_0_right,
+      turned_4a_of_RI_0_left_rest = RI_0 - turned_4a_of_RI_0_left,
+      turned_4a_of_RI_0_right_rest = RI_0_lo - turned_4a_of_RI_0_right,
+      turned_4a_of_RI_0_lo = turned_4a_of_RI_0_left_rest + turned_4a_of_RI_0_right_rest,
+      turned_4a = KSL_MUL(D->m00, turned_4a_of_RI_0),
+      turned_4a_cross2 = KSL_MUL(D->m00, turned_4a_of_RI_0_lo), turned_4b_of_RI_1 = RI_1 + RI_1_lo,
+      turned_4b_of_RI_1_right = turned_4b_of_RI_1 - RI_1,
+      turned_4b_of_RI_1_left = turned_4b_of_RI_1 - turned_4b_of_RI_1_right,
+      turned_4b_of_RI_1_left_rest = RI_1 - turned_4b_of_RI_1_left,
+      turned_4b_of_RI_1_right_rest = RI_1_lo - turned_4b_of_RI_1_right,
+      turned_4b_of_RI_1_lo = turned_4b_of_RI_1_left_rest + turned_4b_of_RI_1_right_rest,
+      turned_4b = KSL_MUL(D->m01, turned_4b_of_RI_1),
+      turned_4b_cross2 = KSL_MUL(D->m01, turned_4b_of_RI_1_lo), turned_4c = turned_4a + turned_4b,
+      turned_4c_right = turned_4c - turned_4a, turned_4c_left = turned_4c - turned_4c_right,
+      turned_4c_left_rest = ksl_product_rest(D->m00, turned_4a_of_RI_0, turned_4a, turned_4c_left),
+      turned_4c_right_rest = ksl_product_rest(D->m01, turned_4b_of_RI_1, turned_4b, turned_4c_right),
+      turned_4c_cross = turned_4a_cross2 + turned_4b_cross2,
+      turned_4c_lo1 = turned_4c_left_rest + turned_4c_right_rest,
+      turned_4c_lo = turned_4c_lo1 + turned_4c_cross, turned_4d_of_RI_2 = RI_2 + RI_2_lo,
+      turned_4d_of_RI_2_right = turned_4d_of_RI_2 - RI_2,
+      turned_4d_of_RI_2_left = turned_4d_of_RI_2 - turned_4d_of_RI_2_right,
+      turned_4d_of_RI_2_left_rest = RI_2 - turned_4d_of_RI_2_left,
+      turned_4d_of_RI_2_right_rest = RI_2_lo - turned_4d_of_RI_2_right,
+      turned_4d_of_RI_2_lo = turned_4d_of_RI_2_left_rest + turned_4d_of_RI_2_right_rest,
+      turned_4d = KSL_MUL(D->m02, turned_4d_of_RI_2),
+      turned_4d_cross2 = KSL_MUL(D->m02, turned_4d_of_RI_2_lo), turned_4 = turned_4c + turned_4d,
+      turned_4_right = turned_4 - turned_4c, turned_4_left = turned_4 - turned_4_right,
+      turned_4_left_rest = turned_4c - turned_4_left,
+      turned_4_right_rest = ksl_product_rest(D->m02, turned_4d_of_RI_2, turned_4d, turned_4_right),
+      turned_4_lo1 = turned_4_left_rest + turned_4_right_rest,
+      turned_4_lo2 = turned_4_lo1 + turned_4d_cross2, turned_4_lo = turned_4_lo2 + turned_4c_lo;
+  const double turned_5a_of_RI_3 = RI_3 + RI_3_lo,
+      turned_5a_of_RI_3_right = turned_5a_of_RI_3 - RI_3,
+      turned_5a_of_RI_3_left = turned_5a_of_RI_3 - turned_5a_of_RI_3_right,
+      turned_5a_of_RI_3_left_rest = RI_3 - turned_5a_of_RI_3_left,
+      turned_5a_of_RI_3_right_rest = RI_3_lo - turned_5a_of_RI_3_right,
+      turned_5a_of_RI_3_lo = turned_5a_of_RI_3_left_rest + turned_5a_of_RI_3_right_rest,
+      turned_5a = KSL_MUL(D->m10, turned_5a_of_RI_3),
+      turned_5a_cross2 = KSL_MUL(D->m10, turned_5a_of_RI_3_lo), turned_5b_of_RI_4 = RI_4 + RI_4_lo,
+      turned_5b_of_RI_4_right = turned_5b_of_RI_4 - RI_4,
+      turned_5b_of_RI_4_left = turned_5b_of_RI_4 - turned_5b_of_RI_4_right,
+      turned_5b_of_RI_4_left_rest = RI_4 - turned_5b_of_RI_4_left,
+      turned_5b_of_RI_4_right_rest = RI_4_lo - turned_5b_of_RI_4_right,
+      turned_5b_of_RI_4_lo = turned_5b_of_RI_4_left_rest + turned_5b_of_RI_4_right_rest,
+      turned_5b = KSL_MUL(D->m11, turned_5b_of_RI_4),
+      turned_5b_cross2 = KSL_MUL(D->m11, turned_5b_of_RI_4_lo), turned_5c = turned_5a + turned_5b,
+      turned_5c_right = turned_5c - turned_5a, turned_5c_left = turned_5c - turned_5c_right,
+      turned_5c_left_rest = ksl_product_rest(D->m10, turned_5a_of_RI_3, turned_5a, turned_5c_left),
+      turned_5c_right_rest = ksl_product_rest(D->m11, turned_5b_of_RI_4, turned_5b, turned_5c_right),
+      turned_5c_cross = turned_5a_cross2 + turned_5b_cross2,
+      turned_5c_lo1 = turned_5c_left_rest + turned_5c_right_rest,
+      turned_5c_lo = turned_5c_lo1 + turned_5c_cross, turned_5d_of_RI_5 = RI_5 + RI_5_lo,
+      turned_5d_of_RI_5_right = turned_5d_of_RI_5 - RI_5,
+      turned_5d_of_RI_5_left = turned_5d_of_RI_5 - turned_5d_of_RI_5_right,
+      turned_5d_of_RI_5_left_rest = RI_5 - turned_5d_of_RI_5_left,
+      turned_5d_of_RI_5_right_rest = RI_5_lo - turned_5d_of_RI_5_right,
+      turned_5d_of_RI_5_lo = turned_5d_of_RI_5_left_rest + turned_5d_of_RI_5_right_rest,
+      turned_5d = KSL_MUL(D->m12, turned_5d_of_RI_5),
+      turned_5d_cross2 = KSL_MUL(D->m12, turned_5d_of_RI_5_lo), turned_5 = turned_5c + turned_5d,
+      turned_5_right = turned_5 - turned_5c, turned_5_left = turned_5 - turned_5_right,
+      turned_5_left_rest = turned_5c - turned_5_left,
+      turned_5_right_rest = ksl_product_rest(D->m12, turned_5d_of_RI_5, turned_5d, turned_5_right),
+      turned_5_lo1 = turned_5_left_rest + turned_5_right_rest,
+      turned_5_lo2 = turned_5_lo1 + turned_5d_cross2, turned_5_lo = turned_5_lo2 + turned_5c_lo;
+  const double turned_6a_of_RI_6 = RI_6 + RI_6_lo,
+      turned_6a_of_RI_6_right = turned_6a_of_RI_6 - RI_6,
+      turned_6a_of_RI_6_left = turned_6a_of_RI_6 - turned_6a_of_RI_6_right,
+      turned_6a_of_RI_6_left_rest = RI_6 - turned_6a_of_RI_6_left,
+      turned_6a_of_RI_6_right_rest = RI_6_lo - turned_6a_of_RI_6_right,
+      turned_6a_of_RI_6_lo = turned_6a_of_RI_6_left_rest + turned_6a_of_RI_6_right_rest,
+      turned_6a = KSL_MUL(D->m20, turned_6a_of_RI_6),
+      turned_6a_cross2 = KSL_MUL(D->m20, turned_6a_of_RI_6_lo), turned_6b_of_RI_7 = RI_7 + RI_7_lo,
+      turned_6b_of_RI_7_right = turned_6b_of_RI_7 - RI_7,
+      turned_6b_of_RI_7_left = turned_6b_of_RI_7 - turned_6b_of_RI_7_right,
+      turned_6b_of_RI_7_left_rest = RI_7 - turned_6b_of_RI_7_left,
+      turned_6b_of_RI_7_right_rest = RI_7_lo - turned_6b_of_RI_7_right,
+      turned_6b_of_RI_7_lo = turned_6b_of_RI_7_left_rest + turned_6b_of_RI_7_right_rest,
+      turned_6b = KSL_MUL(D->m21, turned_6b_of_RI_7),
+      turned_6b_cross2 = KSL_MUL(D->m21, turned_6b_of_RI_7_lo), turned_6c = turned_6a + turned_6b,
+      turned_6c_right = turned_6c - turned_6a, turned_6c_left = turned_6c - turned_6c_right,
+      turned_6c_left_rest = ksl_product_rest(D->m20, turned_6a_of_RI_6, turned_6a, turned_6c_left),
+      turned_6c_right_rest = ksl_product_rest(D->m21, turned_6b_of_RI_7, turned_6b, turned_6c_right),
+      turned_6c_cross = turned_6a_cross2 + turned_6b_cross2,
+      turned_6c_lo1 = turned_6c_left_rest + turned_6c_right_rest,
+      turned_6c_lo = turned_6c_lo1 + turned_6c_cross, turned_6d_of_RI_8 = RI_8 + RI_8_lo,
+      turned_6d_of_RI_8_right = turned_6d_of_RI_8 - RI_8,
+      turned_6d_of_RI_8_left = turned_6d_of_RI_8 - turned_6d_of_RI_8_right,
+      turned_6d_of_RI_8_left_rest = RI_8 - turned_6d_of_RI_8_left,
+      turned_6d_of_RI_8_right_rest = RI_8_lo - turned_6d_of_RI_8_right,
+      turned_6d_of_RI_8_lo = turned_6d_of_RI_8_left_rest + turned_6d_of_RI_8_right_rest,
+      turned_6d = KSL_MUL(D->m22, turned_6d_of_RI_8),
+      turned_6d_cross2 = KSL_MUL(D->m22, turned_6d_of_RI_8_lo), turned_6 = turned_6c + turned_6d,
+      turned_6_right = turned_6 - turned_6c, turned_6_left = turned_6 - turned_6_right,
+      turned_6_left_rest = turned_6c - turned_6_left,
+      turned_6_right_rest = ksl_product_rest(D->m22, turned_6d_of_RI_8, turned_6d, turned_6_right),
+      turned_6_lo1 = turned_6_left_rest + turned_6_right_rest,
+      turned_6_lo2 = turned_6_lo1 + turned_6d_cross2, turned_6_lo = turned_6_lo2 + turned_6c_lo;
+  const double turned_7a = KSL_MUL(D->m10, turned_4a_of_RI_0),
+      turned_7a_cross2 = KSL_MUL(D->m10, turned_4a_of_RI_0_lo),
+      turned_7b = KSL_MUL(D->m11, turned_4b_of_RI_1),
+      turned_7b_cross2 = KSL_MUL(D->m11, turned_4b_of_RI_1_lo), turned_7c = turned_7a + turned_7b,
+      turned_7c_right = turned_7c - turned_7a, turned_7c_left = turned_7c - turned_7c_right,
+      turned_7c_left_rest = ksl_product_rest(D->m10, turned_4a_of_RI_0, turned_7a, turned_7c_left),
+      turned_7c_right_rest = ksl_product_rest(D->m11, turned_4b_of_RI_1, turned_7b, turned_7c_right),
+      turned_7c_cross = turned_7a_cross2 + turned_7b_cross2,
+      turned_7c_lo1 = turned_7c_left_rest + turned_7c_right_rest,
+      turned_7c_lo = turned_7c_lo1 + turned_7c_cross,
+      turned_7d = KSL_MUL(D->m12, turned_4d_of_RI_2),
+      turned_7d_cross2 = KSL_MUL(D->m12, turned_4d_of_RI_2_lo), turned_7 = turned_7c + turned_7d,
+      turned_7_right = turned_7 - turned_7c, turned_7_left = turned_7 - turned_7_right,
+      turned_7_left_rest = turned_7c - turned_7_left,
+      turned_7_right_rest = ksl_product_rest(D->m12, turned_4d_of_RI_2, turned_7d, turned_7_right),
+      turned_7_lo1 = turned_7_left_rest + turned_7_right_rest,
+      turned_7_lo2 = turned_7_lo1 + turned_7d_cross2, turned_7_lo = turned_7_lo2 + turned_7c_lo;
+  const double turned_8a = KSL_MUL(D->m20, turned_4a_of_RI_0),
+      turned_8a_cross2 = KSL_MUL(D->m20, turned_4a_of_RI_0_lo),
+      turned_8b = KSL_MUL(D->m21, turned_4b_of_RI_1),
+      turned_8b_cross2 = KSL_MUL(D->m21, turned_4b_of_RI_1_lo), turned_8c = turned_8a + turned_8b,
+      turned_8c_right = turned_8c - turned_8a, turned_8c_left = turned_8c - turned_8c_right,
+      turned_8c_left_rest = ksl_product_rest(D->m20, turned_4a_of_RI_0, turned_8a, turned_8c_left),
+      turned_8c_right_rest = ksl_product_rest(D->m21, turned_4b_of_RI_1, turned_8b, turned_8c_right),
+      turned_8c_cross = turned_8a_cross2 + turned_8b_cross2,
+      turned_8c_lo1 = turned_8c_left_rest + turned_8c_right_rest,
+      turned_8c_lo = turned_8c_lo1 + turned_8c_cross,
+      turned_8d = KSL_MUL(D->m22, turned_4d_of_RI_2),
+      turned_8d_cross2 = KSL_MUL(D->m22, turned_4d_of_RI_2_lo), turned_8 = turned_8c + turned_8d,
+      turned_8_right = turned_8 - turned_8c, turned_8_left = turned_8 - turned_8_right,
+      turned_8_left_rest = turned_8c - turned_8_left,
+      turned_8_right_rest = ksl_product_rest(D->m22, turned_4d_of_RI_2, turned_8d, turned_8_right),
+      turned_8_lo1 = turned_8_left_rest + turned_8_right_rest,
+      turned_8_lo2 = turned_8_lo1 + turned_8d_cross2, turned_8_lo = turned_8_lo2 + turned_8c_lo;
+  const double turned_9a = KSL_MUL(D->m20, turned_5a_of_RI_3),
+      turned_9a_cross2 = KSL_MUL(D->m20, turned_5a_of_RI_3_lo),
+      turned_9b = KSL_MUL(D->m21, turned_5b_of_RI_4),
+      turned_9b_cross2 = KSL_MUL(D->m21, turned_5b_of_RI_4_lo), turned_9c = turned_9a + turned_9b,
+      turned_9c_right = turned_9c - turned_9a, turned_9c_left = turned_9c - turned_9c_right,
+      turned_9c_left_rest = ksl_product_rest(D->m20, turned_5a_of_RI_3, turned_9a, turned_9c_left),
+      turned_9c_right_rest = ksl_product_rest(D->m21, turned_5b_of_RI_4, turned_9b, turned_9c_right),
+      turned_9c_cross = turned_9a_cross2 + turned_9b_cross2,
+      turned_9c_lo1 = turned_9c_left_rest + turned_9c_right_rest,
+      turned_9c_lo = turned_9c_lo1 + turned_9c_cross,
+      turned_9d = KSL_MUL(D->m22, turned_5d_of_RI_5),
+      turned_9d_cross2 = KSL_MUL(D->m22, turned_5d_of_RI_5_lo), turned_9 = turned_9c + turned_9d,
+      turned_9_right = turned_9 - turned_9c, turned_9_left = turned_9 - turned_9_right,
+      turned_9_left_rest = turned_9c - turned_9_left,
+      turned_9_right_rest = ksl_product_rest(D->m22, turned_5d_of_RI_5, turned_9d, turned_9_right),
+      turned_9_lo1 = turned_9_left_rest + turned_9_right_rest,
+      turned_9_lo2 = turned_9_lo1 + turned_9d_cross2, turned_9_lo = turned_9_lo2 + turned_9c_lo;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double mt_0_lo = ksl_product_error(D->m03, B->m, mt_0), half_0 = KSL_MUL(0.5, mt_0),
+      half_0_cross2 = KSL_MUL(0.5, mt_0_lo);
+  const double mt_1_lo = ksl_product_error(D->m13, B->m, mt_1), half_1 = KSL_MUL(0.5, mt_1),
+      half_1_cross2 = KSL_MUL(0.5, mt_1_lo);
+  const double mt_2_lo = ksl_product_error(D->m23, B->m, mt_2), half_2 = KSL_MUL(0.5, mt_2),
+      half_2_cross2 = KSL_MUL(0.5, mt_2_lo);
+  const double n_0 = turned_1 + half_0, n_0_right = n_0 - turned_1, n_0_left = n_0 - n_0_right,
+      n_0_left_rest = turned_1 - n_0_left, n_0_right_rest = half_0 - n_0_right,
+      n_0_lo1 = n_0_left_rest + n_0_right_rest, n_0_lo2 = n_0_lo1 + half_0_cross2,
+      n_0_lo = n_0_lo2 + turned_1_lo;
+  const double n_1 = turned_2 + half_1, n_1_right = n_1 - turned_2, n_1_left = n_1 - n_1_right,
+      n_1_left_rest = turned_2 - n_1_left, n_1_right_rest = half_1 - n_1_right,
+      n_1_lo1 = n_1_left_rest + n_1_right_rest, n_1_lo2 = n_1_lo1 + half_1_cross2,
+      n_1_lo = n_1_lo2 + turned_2_lo;
+  const double n_2 = turned_3 + half_2, n_2_right = n_2 - turned_3, n_2_left = n_2 - n_2_right,
+      n_2_left_rest = turned_3 - n_2_left, n_2_right_rest = half_2 - n_2_right,
+      n_2_lo1 = n_2_left_rest + n_2_right_rest, n_2_lo2 = n_2_lo1 + half_2_cross2,
+      n_2_lo = n_2_lo2 + turned_3_lo;
+  const double tn0_of_n_0 = n_0 + n_0_lo, tn0_of_n_0_right = tn0_of_n_0 - n_0,
+      tn0_of_n_0_left = tn0_of_n_0 - tn0_of_n_0_right, tn0_of_n_0_left_rest = n_0 - tn0_of_n_0_left,
+      tn0_of_n_0_right_rest = n_0_lo - tn0_of_n_0_right,
+      tn0_of_n_0_lo = tn0_of_n_0_left_rest + tn0_of_n_0_right_rest,
+      tn0 = KSL_MUL(D->m03, tn0_of_n_0), tn0_cross2 = KSL_MUL(D->m03, tn0_of_n_0_lo);
+  const double tn1_of_n_1 = n_1 + n_1_lo, tn1_of_n_1_right = tn1_of_n_1 - n_1,
+      tn1_of_n_1_left = tn1_of_n_1 - tn1_of_n_1_right, tn1_of_n_1_left_rest = n_1 - tn1_of_n_1_left,
+      tn1_of_n_1_right_rest = n_1_lo - tn1_of_n_1_right,
+      tn1_of_n_1_lo = tn1_of_n_1_left_rest + tn1_of_n_1_right_rest,
+      tn1 = KSL_MUL(D->m13, tn1_of_n_1), tn1_cross2 = KSL_MUL(D->m13, tn1_of_n_1_lo);
+  const double tn2_of_n_2 = n_2 + n_2_lo, tn2_of_n_2_right = tn2_of_n_2 - n_2,
+      tn2_of_n_2_left = tn2_of_n_2 - tn2_of_n_2_right, tn2_of_n_2_left_rest = n_2 - tn2_of_n_2_left,
+      tn2_of_n_2_right_rest = n_2_lo - tn2_of_n_2_right,
+      tn2_of_n_2_lo = tn2_of_n_2_left_rest + tn2_of_n_2_right_rest,
+      tn2 = KSL_MUL(D->m23, tn2_of_n_2), tn2_cross2 = KSL_MUL(D->m23, tn2_of_n_2_lo);
+  const double tn0_error = ksl_product_error(D->m03, tn0_of_n_0, tn0),
+      tn0_lo = tn0_error + tn0_cross2, own_0 = KSL_MUL(2.0, tn0),
+      own_0_cross2 = KSL_MUL(2.0, tn0_lo);
+  const double tn1_error = ksl_product_error(D->m13, tn1_of_n_1, tn1),
+      tn1_lo = tn1_error + tn1_cross2, own_1 = KSL_MUL(2.0, tn1),
+      own_1_cross2 = KSL_MUL(2.0, tn1_lo);
+  const double tn2_error = ksl_product_error(D->m23, tn2_of_n_2, tn2),
+      tn2_lo = tn2_error + tn2_cross2, own_2 = KSL_MUL(2.0, tn2),
+      own_2_cross2 = KSL_MUL(2.0, tn2_lo);
+  const double pairs_0 = own_1 + own_2, pairs_0_right = pairs_0 - own_1,
+      pairs_0_left = pairs_0 - pairs_0_right, pairs_0_left_rest = own_1 - pairs_0_left,
+      pairs_0_right_rest = own_2 - pairs_0_right,
+      pairs_0_lo1 = pairs_0_left_rest + pairs_0_right_rest,
+      pairs_0_lo2 = pairs_0_lo1 + own_2_cross2, pairs_0_lo = pairs_0_lo2 + own_1_cross2;
+  const double pairs_1 = own_0 + own_2, pairs_1_right = pairs_1 - own_0,
+      pairs_1_left = pairs_1 - pairs_1_right, pairs_1_left_rest = own_0 - pairs_1_left,
+      pairs_1_right_rest = own_2 - pairs_1_right,
+      pairs_1_lo1 = pairs_1_left_rest + pairs_1_right_rest,
+      pairs_1_lo2 = pairs_1_lo1 + own_2_cross2, pairs_1_lo = pairs_1_lo2 + own_0_cross2;
+  const double pairs_2 = own_0 + own_1, pairs_2_right = pairs_2 - own_0,
+      pairs_2_left = pairs_2 - pairs_2_right, pairs_2_left_rest = own_0 - pairs_2_left,
+      pairs_2_right_rest = own_1 - pairs_2_right,
+      pairs_2_lo1 = pairs_2_left_rest + pairs_2_right_rest,
+      pairs_2_lo2 = pairs_2_lo1 + own_1_cross2, pairs_2_lo = pairs_2_lo2 + own_0_cross2;
+  const double pairs_3a = KSL_MUL(D->m03, tn1_of_n_1),
+      pairs_3a_cross2 = KSL_MUL(D->m03, tn1_of_n_1_lo), pairs_3b = KSL_MUL(D->m13, tn0_of_n_0),
+      pairs_3b_cross2 = KSL_MUL(D->m13, tn0_of_n_0_lo), pairs_3 = pairs_3a + pairs_3b,
+      pairs_3_right = pairs_3 - pairs_3a, pairs_3_left = pairs_3 - pairs_3_right,
+      pairs_3_left_rest = ksl_product_rest(D->m03, tn1_of_n_1, pairs_3a, pairs_3_left),
+      pairs_3_right_rest = ksl_product_rest(D->m13, tn0_of_n_0, pairs_3b, pairs_3_right),
+      pairs_3_cross = pairs_3a_cross2 + pairs_3b_cross2,
+      pairs_3_lo1 = pairs_3_left_rest + pairs_3_right_rest,
+      pairs_3_lo = pairs_3_lo1 + pairs_3_cross;
+  const double pairs_4a = KSL_MUL(D->m03, tn2_of_n_2),
+      pairs_4a_cross2 = KSL_MUL(D->m03, tn2_of_n_2_lo), pairs_4b = KSL_MUL(D->m23, tn0_of_n_0),
+      pairs_4b_cross2 = KSL_MUL(D->m23, tn0_of_n_0_lo), pairs_4 = pairs_4a + pairs_4b,
+      pairs_4_right = pairs_4 - pairs_4a, pairs_4_left = pairs_4 - pairs_4_right,
+      pairs_4_left_rest = ksl_product_rest(D->m03, tn2_of_n_2, pairs_4a, pairs_4_left),
+      pairs_4_right_rest = ksl_product_rest(D->m23, tn0_of_n_0, pairs_4b, pairs_4_right),
+      pairs_4_cross = pairs_4a_cross2 + pairs_4b_cross2,
+      pairs_4_lo1 = pairs_4_left_rest + pairs_4_right_rest,
+      pairs_4_lo = pairs_4_lo1 + pairs_4_cross;
+  const double pairs_5a = KSL_MUL(D->m13, tn2_of_n_2),
+      pairs_5a_cross2 = KSL_MUL(D->m13, tn2_of_n_2_lo), pairs_5b = KSL_MUL(D->m23, tn1_of_n_1),
+      pairs_5b_cross2 = KSL_MUL(D->m23, tn1_of_n_1_lo), pairs_5 = pairs_5a + pairs_5b,
+      pairs_5_right = pairs_5 - pairs_5a, pairs_5_left = pairs_5 - pairs_5_right,
+      pairs_5_left_rest = ksl_product_rest(D->m13, tn2_of_n_2, pairs_5a, pairs_5_left),
+      pairs_5_right_rest = ksl_product_rest(D->m23, tn1_of_n_1, pairs_5b, pairs_5_right),
+      pairs_5_cross = pairs_5a_cross2 + pairs_5b_cross2,
+      pairs_5_lo1 = pairs_5_left_rest + pairs_5_right_rest,
+      pairs_5_lo = pairs_5_lo1 + pairs_5_cross;
+  const double moved_0 = turned_1 + mt_0, moved_0_right = moved_0 - turned_1,
+      moved_0_left = moved_0 - moved_0_right, moved_0_left_rest = turned_1 - moved_0_left,
+      moved_0_right_rest = mt_0 - moved_0_right,
+      moved_0_lo1 = moved_0_left_rest + moved_0_right_rest, moved_0_lo2 = moved_0_lo1 + mt_0_lo,
+      moved_0_lo = moved_0_lo2 + turned_1_lo;
+  const double moved_1 = turned_2 + mt_1, moved_1_right = moved_1 - turned_2,
+      moved_1_left = moved_1 - moved_1_right, moved_1_left_rest = turned_2 - moved_1_left,
+      moved_1_right_rest = mt_1 - moved_1_right,
+      moved_1_lo1 = moved_1_left_rest + moved_1_right_rest, moved_1_lo2 = moved_1_lo1 + mt_1_lo,
+      moved_1_lo = moved_1_lo2 + turned_2_lo;
+  const double moved_2 = turned_3 + mt_2, moved_2_right = moved_2 - turned_3,
+      moved_2_left = moved_2 - moved_2_right, moved_2_left_rest = turned_3 - moved_2_left,
+      moved_2_right_rest = mt_2 - moved_2_right,
+      moved_2_lo1 = moved_2_left_rest + moved_2_right_rest, moved_2_lo2 = moved_2_lo1 + mt_2_lo,
+      moved_2_lo = moved_2_lo2 + turned_3_lo;
+  const double Bo_4 = turned_4 + pairs_0, Bo_4_right = Bo_4 - turned_4,
+      Bo_4_left = Bo_4 - Bo_4_right, Bo_4_left_rest = turned_4 - Bo_4_left,
+      Bo_4_right_rest = pairs_0 - Bo_4_right, Bo_4_lo1 = Bo_4_left_rest + Bo_4_right_rest,
+      Bo_4_lo2 = Bo_4_lo1 + pairs_0_lo, Bo_4_lo = Bo_4_lo2 + turned_4_lo;
+  const double Bo_5 = turned_5 + pairs_1, Bo_5_right = Bo_5 - turned_5,
+      Bo_5_left = Bo_5 - Bo_5_right, Bo_5_left_rest = turned_5 - Bo_5_left,
+      Bo_5_right_rest = pairs_1 - Bo_5_right, Bo_5_lo1 = Bo_5_left_rest + Bo_5_right_rest,
+      Bo_5_lo2 = Bo_5_lo1 + pairs_1_lo, Bo_5_lo = Bo_5_lo2 + turned_5_lo;
+  const double Bo_6 = turned_6 + pairs_2, Bo_6_right = Bo_6 - turned_6,
+      Bo_6_left = Bo_6 - Bo_6_right, Bo_6_left_rest = turned_6 - Bo_6_left,
+      Bo_6_right_rest = pairs_2 - Bo_6_right, Bo_6_lo1 = Bo_6_left_rest + Bo_6_right_rest,
+      Bo_6_lo2 = Bo_6_lo1 + pairs_2_lo, Bo_6_lo = Bo_6_lo2 + turned_6_lo;
+  const double Bo_7 = turned_7 - pairs_3, Bo_7_right = turned_7 - Bo_7,
+      Bo_7_left = Bo_7 + Bo_7_right, Bo_7_left_rest = turned_7 - Bo_7_left,
+      Bo_7_right_rest = pairs_3 - Bo_7_right, Bo_7_lo1 = Bo_7_left_rest - Bo_7_right_rest,
+      Bo_7_lo2 = Bo_7_lo1 - pairs_3_lo, Bo_7_lo = Bo_7_lo2 + turned_7_lo;
+  const double Bo_8 = turned_8 - pairs_4, Bo_8_right = turned_8 - Bo_8,
+      Bo_8_left = Bo_8 + Bo_8_right, Bo_8_left_rest = turned_8 - Bo_8_left,
+      Bo_8_right_rest = pairs_4 - Bo_8_right, Bo_8_lo1 = Bo_8_left_rest - Bo_8_right_rest,
+      Bo_8_lo2 = Bo_8_lo1 - pairs_4_lo, Bo_8_lo = Bo_8_lo2 + turned_8_lo;
+  const double Bo_9 = turned_9 - pairs_5, Bo_9_right = turned_9 - Bo_9,
+      Bo_9_left = Bo_9 + Bo_9_right, Bo_9_left_rest = turned_9 - Bo_9_left,
+      Bo_9_right_rest = pairs_5 - Bo_9_right, Bo_9_lo1 = Bo_9_left_rest - Bo_9_right_rest,
+      Bo_9_lo2 = Bo_9_lo1 - pairs_5_lo, Bo_9_lo = Bo_9_lo2 + turned_9_lo;
+  const double moved_0_rounded = moved_0 + moved_0_lo;
+  const double moved_1_rounded = moved_1 + moved_1_lo;
+  const double moved_2_rounded = moved_2 + moved_2_lo;
+  const double Bo_4_rounded = Bo_4 + Bo_4_lo;
+  const double Bo_5_rounded = Bo_5 + Bo_5_lo;
+  const double Bo_6_rounded = Bo_6 + Bo_6_lo;
+  const double Bo_7_rounded = Bo_7 + Bo_7_lo;
+  const double Bo_8_rounded = Bo_8 + Bo_8_lo;
+  const double Bo_9_rounded = Bo_9 + Bo_9_lo;
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0_rounded;
+  Bo->h.y = moved_1_rounded;
+  Bo->h.z = moved_2_rounded;
+  Bo->xx = Bo_4_rounded;
+  Bo->yy = Bo_5_rounded;
+  Bo->zz = Bo_6_rounded;
+  Bo->xy = Bo_7_rounded;
+  Bo->xz = Bo_8_rounded;
+  Bo->yz = Bo_9_rounded;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26 select. */
+static inline double ksl_spatial_inertia_consistency_accurate(const ksl_spatial_inertia_t *B) {
+  const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
+      trace_c = trace_a + trace_b, trace_c_right = trace_c - trace_a,
+      trace_c_left = trace_c - trace_c_right, trace_c_left_rest = trace_a - trace_c_left,
+      trace_c_right_rest = trace_b - trace_c_right,
+      trace_c_lo = trace_c_left_rest + trace_c_right_rest, trace_d = KSL_MUL(0.5, B->zz),
+      trace = trace_c + trace_d, trace_right = trace - trace_c, trace_left = trace - trace_right,
+      trace_left_rest = trace_c - trace_left, trace_right_rest = trace_d - trace_right,
+      trace_lo1 = trace_left_rest + trace_right_rest, trace_lo = trace_lo1 + trace_c_lo;
+  const double sigma_0 = trace - B->xx, sigma_0_right = trace - sigma_0,
+      sigma_0_left = sigma_0 + sigma_0_right, sigma_0_left_rest = trace - sigma_0_left,
+      sigma_0_right_rest = B->xx - sigma_0_right,
+      sigma_0_lo1 = sigma_0_left_rest - sigma_0_right_rest, sigma_0_lo = sigma_0_lo1 + trace_lo;
+  const double sigma_1 = trace - B->yy, sigma_1_right = trace - sigma_1,
+      sigma_1_left = sigma_1 + sigma_1_right, sigma_1_left_rest = trace - sigma_1_left,
+      sigma_1_right_rest = B->yy - sigma_1_right,
+      sigma_1_lo1 = sigma_1_left_rest - sigma_1_right_rest, sigma_1_lo = sigma_1_lo1 + trace_lo;
+  const double sigma_2 = trace - B->zz, sigma_2_right = trace - sigma_2,
+      sigma_2_left = sigma_2 + sigma_2_right, sigma_2_left_rest = trace - sigma_2_left,
+      sigma_2_right_rest = B->zz - sigma_2_right,
+      sigma_2_lo1 = sigma_2_left_rest - sigma_2_right_rest, sigma_2_lo = sigma_2_lo1 + trace_lo;
+  const double divisor0 = 0.0 < B->m ? B->m : 1.0;
+  const double l0_0 = B->h.x / divisor0, l0_0_product = KSL_MUL(l0_0, divisor0),
+      l0_0_product_error = ksl_product_error(l0_0, divisor0, l0_0_product),
+      l0_0_rest = B->h.x - l0_0_product, l0_0_exact = l0_0_rest - l0_0_product_error,
+      l0_0_lo = l0_0_exact / divisor0;
+  const double l0_1 = B->h.y / divisor0, l0_1_product = KSL_MUL(l0_1, divisor0),
+      l0_1_product_error = ksl_product_error(l0_1, divisor0, l0_1_product),
+      l0_1_rest = B->h.y - l0_1_product, l0_1_exact = l0_1_rest - l0_1_product_error,
+      l0_1_lo = l0_1_exact / divisor0;
+  const double l0_2 = B->h.z / divisor0, l0_2_product = KSL_MUL(l0_2, divisor0),
+      l0_2_product_error = ksl_product_error(l0_2, divisor0, l0_2_product),
+      l0_2_rest = B->h.z - l0_2_product, l0_2_exact = l0_2_rest - l0_2_product_error,
+      l0_2_lo = l0_2_exact / divisor0;
+  const double u1_0a = KSL_MUL(B->h.x, l0_0), u1_0a_cross2 = KSL_MUL(B->h.x, l0_0_lo),
+      u1_0 = sigma_0 - u1_0a, u1_0_right = sigma_0 - u1_0, u1_0_left = u1_0 + u1_0_right,
+      u1_0_left_rest = sigma_0 - u1_0_left,
+      u1_0_right_rest = ksl_product_rest(B->h.x, l0_0, u1_0a, u1_0_right),
+      u1_0_lo1 = u1_0_left_rest - u1_0_right_rest, u1_0_lo2 = u1_0_lo1 - u1_0a_cross2,
+      u1_0_lo = u1_0_lo2 + sigma_0_lo;
+  const double u1_1a = KSL_MUL(B->h.y, l0_0), u1_1a_cross2 = KSL_MUL(B->h.y, l0_0_lo),
+      u1_1b = u1_1a + B->xy, u1_1b_right = u1_1b - u1_1a, u1_1b_left = u1_1b - u1_1b_right,
+      u1_1b_left_rest = ksl_product_rest(B->h.y, l0_0, u1_1a, u1_1b_left),
+      u1_1b_right_rest = B->xy - u1_1b_right, u1_1b_lo1 = u1_1b_left_rest + u1_1b_right_rest,
+      u1_1b_lo = u1_1b_lo1 + u1_1a_cross2, u1_1 = -u1_1b, u1_1_lo = -u1_1b_lo;
+  const double u1_2a = KSL_MUL(B->h.z, l0_0), u1_2a_cross2 = KSL_MUL(B->h.z, l0_0_lo),
+      u1_2b = u1_2a + B->xz, u1_2b_right = u1_2b - u1_2a, u1_2b_left = u1_2b - u1_2b_right,
+      u1_2b_left_rest = ksl_product_rest(B->h.z, l0_0, u1_2a, u1_2b_left),
+      u1_2b_right_rest = B->xz - u1_2b_right, u1_2b_lo1 = u1_2b_left_rest + u1_2b_right_rest,
+      u1_2b_lo = u1_2b_lo1 + u1_2a_cross2, u1_2 = -u1_2b, u1_2_lo = -u1_2b_lo;
+  const double divisor1a_of_u1_0 = u1_0 + u1_0_lo,
+      divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0,
+      divisor1a_of_u1_0_left = divisor1a_of_u1_0 - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_left_rest = u1_0 - divisor1a_of_u1_0_left,
+      divisor1a_of_u1_0_right_rest = u1_0_lo - divisor1a_of_u1_0_right,
+      divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + divisor1a_of_u1_0_right_rest,
+      divisor1 = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0 : 1.0,
+      divisor1_lo = 0.0 < divisor1a_of_u1_0 ? divisor1a_of_u1_0_lo : 0.0;
+  const double l1_0_of_u1_1 = u1_1 + u1_1_lo, l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1,
+      l1_0_of_u1_1_left = l1_0_of_u1_1 - l1_0_of_u1_1_right,
+      l1_0_of_u1_1_left_rest = u1_1 - l1_0_of_u1_1_left,
+      l1_0_of_u1_1_right_rest = u1_1_lo - l1_0_of_u1_1_right,
+      l1_0_of_u1_1_lo = l1_0_of_u1_1_left_rest + l1_0_of_u1_1_right_rest,
+      l1_0_of_divisor1 = divisor1 + divisor1_lo,
+      l1_0_of_divisor1_right = l1_0_of_divisor1 - divisor1,
+      l1_0_of_divisor1_left = l1_0_of_divisor1 - l1_0_of_divisor1_right,
+      l1_0_of_divisor1_left_rest = divisor1 - l1_0_of_divisor1_left,
+      l1_0_of_divisor1_right_rest = divisor1_lo - l1_0_of_divisor1_right,
+      l1_0_of_divisor1_lo = l1_0_of_divisor1_left_rest + l1_0_of_divisor1_right_rest,
+      l1_0 = l1_0_of_u1_1 / l1_0_of_divisor1, l1_0_product = KSL_MUL(l1_0, l1_0_of_divisor1),
+      l1_0_product_error = ksl_product_error(l1_0, l1_0_of_divisor1, l1_0_product),
+      l1_0_rest = l1_0_of_u1_1 - l1_0_product, l1_0_exact = l1_0_rest - l1_0_product_error,
+      l1_0_numerator = l1_0_exact + l1_0_of_u1_1_lo,
+      l1_0_cross = KSL_MUL(l1_0, l1_0_of_divisor1_lo), l1_0_residual = l1_0_numerator - l1_0_cross,
+      l1_0_lo = l1_0_residual / l1_0_of_divisor1;
+  const double l1_1_of_u1_2 = u1_2 + u1_2_lo, l1_1_of_u1_2_right = l1_1_of_u1_2 - u1_2,
+      l1_1_of_u1_2_left = l1_1_of_u1_2 - l1_1_of_u1_2_right,
+      l1_1_of_u1_2_left_rest = u1_2 - l1_1_of_u1_2_left,
+      l1_1_of_u1_2_right_rest = u1_2_lo - l1_1_of_u1_2_right,
+      l1_1_of_u1_2_lo = l1_1_of_u1_2_left_rest + l1_1_of_u1_2_right_rest,
+      l1_1 = l1_1_of_u1_2 / l1_0_of_divisor1, l1_1_product = KSL_MUL(l1_1, l1_0_of_divisor1),
+      l1_1_product_error = ksl_product_error(l1_1, l1_0_of_divisor1, l1_1_product),
+      l1_1_rest = l1_1_of_u1_2 - l1_1_product, l1_1_exact = l1_1_rest - l1_1_product_error,
+      l1_1_numerator = l1_1_exact + l1_1_of_u1_2_lo,
+      l1_1_cross = KSL_MUL(l1_1, l1_0_of_divisor1_lo), l1_1_residual = l1_1_numerator - l1_1_cross,
+      l1_1_lo = l1_1_residual / l1_0_of_divisor1;
+  const double u2_0a = KSL_MUL(B->h.y, l0_1), u2_0a_cross2 = KSL_MUL(B->h.y, l0_1_lo),
+      u2_0b = sigma_1 - u2_0a, u2_0b_right = sigma_1 - u2_0b, u2_0b_left = u2_0b + u2_0b_right,
+      u2_0b_left_rest = sigma_1 - u2_0b_left,
+      u2_0b_right_rest = ksl_product_rest(B->h.y, l0_1, u2_0a, u2_0b_right),
+      u2_0b_lo1 = u2_0b_left_rest - u2_0b_right_rest, u2_0b_lo2 = u2_0b_lo1 - u2_0a_cross2,
+      u2_0b_lo = u2_0b_lo2 + sigma_1_lo, u2_0c = KSL_MUL(l1_0_of_u1_1, l1_0),
+      u2_0c_cross1 = KSL_MUL(l1_0_of_u1_1_lo, l1_0), u2_0c_cross2 = KSL_MUL(l1_0_of_u1_1, l1_0_lo),
+      u2_0c_cross = u2_0c_cross1 + u2_0c_cross2, u2_0 = u2_0b - u2_0c, u2_0_right = u2_0b - u2_0,
+      u2_0_left = u2_0 + u2_0_right, u2_0_left_rest = u2_0b - u2_0_left,
+      u2_0_right_rest = ksl_product_rest(l1_0_of_u1_1, l1_0, u2_0c, u2_0_right),
+      u2_0_lo1 = u2_0_left_rest - u2_0_right_rest, u2_0_lo2 = u2_0_lo1 - u2_0c_cross,
+      u2_0_lo = u2_0_lo2 + u2_0b_lo;
+  const double u2_1a = KSL_MUL(B->h.z, l0_1), u2_1a_cross2 = KSL_MUL(B->h.z, l0_1_lo),
+      u2_1b = u2_1a + B->yz, u2_1b_right = u2_1b - u2_1a, u2_1b_left = u2_1b - u2_1b_right,
+      u2_1b_left_rest = ksl_product_rest(B->h.z, l0_1, u2_1a, u2_1b_left),
+      u2_1b_right_rest = B->yz - u2_1b_right, u2_1b_lo1 = u2_1b_left_rest + u2_1b_right_rest,
+      u2_1b_lo = u2_1b_lo1 + u2_1a_cross2, u2_1c = KSL_MUL(l1_1_of_u1_2, l1_0),
+      u2_1c_cross1 = KSL_MUL(l1_1_of_u1_2_lo, l1_0), u2_1c_cross2 = KSL_MUL(l1_1_of_u1_2, l1_0_lo),
+      u2_1c_cross = u2_1c_cross1 + u2_1c_cross2, u2_1d = u2_1b + u2_1c, u2_1d_right = u2_1d - u2_1b,
+      u2_1d_left = u2_1d - u2_1d_right, u2_1d_left_rest = u2_1b - u2_1d_left,
+      u2_1d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_0, u2_1c, u2_1d_right),
+      u2_1d_lo1 = u2_1d_left_rest + u2_1d_right_rest, u2_1d_lo2 = u2_1d_lo1 + u2_1c_cross,
+      u2_1d_lo = u2_1d_lo2 + u2_1b_lo, u2_1 = -u2_1d, u2_1_lo = -u2_1d_lo;
+  const double divisor2a_of_u2_0 = u2_0 + u2_0_lo,
+      divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0,
+      divisor2a_of_u2_0_left = divisor2a_of_u2_0 - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_left_rest = u2_0 - divisor2a_of_u2_0_left,
+      divisor2a_of_u2_0_right_rest = u2_0_lo - divisor2a_of_u2_0_right,
+      divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + divisor2a_of_u2_0_right_rest,
+      divisor2 = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0 : 1.0,
+      divisor2_lo = 0.0 < divisor2a_of_u2_0 ? divisor2a_of_u2_0_lo : 0.0;
+  const double l2_of_u2_1 = u2_1 + u2_1_lo, l2_of_u2_1_right = l2_of_u2_1 - u2_1,
+      l2_of_u2_1_left = l2_of_u2_1 - l2_of_u2_1_right,
+      l2_of_u2_1_left_rest = u2_1 - l2_of_u2_1_left,
+      l2_of_u2_1_right_rest = u2_1_lo - l2_of_u2_1_right,
+      l2_of_u2_1_lo = l2_of_u2_1_left_rest + l2_of_u2_1_right_rest,
+      l2_of_divisor2 = divisor2 + divisor2_lo, l2_of_divisor2_right = l2_of_divisor2 - divisor2,
+      l2_of_divisor2_left = l2_of_divisor2 - l2_of_divisor2_right,
+      l2_of_divisor2_left_rest = divisor2 - l2_of_divisor2_left,
+      l2_of_divisor2_right_rest = divisor2_lo - l2_of_divisor2_right,
+      l2_of_divisor2_lo = l2_of_divisor2_left_rest + l2_of_divisor2_right_rest,
+      l2 = l2_of_u2_1 / l2_of_divisor2, l2_product = KSL_MUL(l2, l2_of_divisor2),
+      l2_product_error = ksl_product_error(l2, l2_of_divisor2, l2_product),
+      l2_rest = l2_of_u2_1 - l2_product, l2_exact = l2_rest - l2_product_error,
+      l2_numerator = l2_exact + l2_of_u2_1_lo, l2_cross = KSL_MUL(l2, l2_of_divisor2_lo),
+      l2_residual = l2_numerator - l2_cross, l2_lo = l2_residual / l2_of_divisor2;
+  const double u3a = KSL_MUL(B->h.z, l0_2), u3a_cross2 = KSL_MUL(B->h.z, l0_2_lo),
+      u3b = sigma_2 - u3a, u3b_right = sigma_2 - u3b, u3b_left = u3b + u3b_right,
+      u3b_left_rest = sigma_2 - u3b_left,
+      u3b_right_rest = ksl_product_rest(B->h.z, l0_2, u3a, u3b_right),
+      u3b_lo1 = u3b_left_rest - u3b_right_rest, u3b_lo2 = u3b_lo1 - u3a_cross2,
+      u3b_lo = u3b_lo2 + sigma_2_lo, u3c = KSL_MUL(l1_1_of_u1_2, l1_1),
+      u3c_cross1 = KSL_MUL(l1_1_of_u1_2_lo, l1_1), u3c_cross2 = KSL_MUL(l1_1_of_u1_2, l1_1_lo),
+      u3c_cross = u3c_cross1 + u3c_cross2, u3d = u3b - u3c, u3d_right = u3b - u3d,
+      u3d_left = u3d + u3d_right, u3d_left_rest = u3b - u3d_left,
+      u3d_right_rest = ksl_product_rest(l1_1_of_u1_2, l1_1, u3c, u3d_right),
+      u3d_lo1 = u3d_left_rest - u3d_right_rest, u3d_lo2 = u3d_lo1 - u3c_cross,
+      u3d_lo = u3d_lo2 + u3b_lo, u3e = KSL_MUL(l2_of_u2_1, l2),
+      u3e_cross1 = KSL_MUL(l2_of_u2_1_lo, l2), u3e_cross2 = KSL_MUL(l2_of_u2_1, l2_lo),
+      u3e_cross = u3e_cross1 + u3e_cross2, u3 = u3d - u3e, u3_right = u3d - u3,
+      u3_left = u3 + u3_right, u3_left_rest = u3d - u3_left,
+      u3_right_rest = ksl_product_rest(l2_of_u2_1, l2, u3e, u3_right),
+      u3_lo1 = u3_left_rest - u3_right_rest, u3_lo2 = u3_lo1 - u3e_cross, u3_lo = u3_lo2 + u3d_lo;
+  const double part0a = B->m / divisor0, part0a_product = KSL_MUL(part0a, divisor0),
+      part0a_product_error = ksl_product_error(part0a, divisor0, part0a_product),
+      part0a_rest = B->m - part0a_product, part0a_exact = part0a_rest - part0a_product_error,
+      part0a_lo = part0a_exact / divisor0, part0 = 0.0 < B->m ? part0a : B->m,
+      part0_lo = 0.0 < B->m ? part0a_lo : 0.0;
+  const double own1a_of_sigma_0 = sigma_0 + sigma_0_lo,
+      own1a_of_sigma_0_right = own1a_of_sigma_0 - sigma_0,
+      own1a_of_sigma_0_left = own1a_of_sigma_0 - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_left_rest = sigma_0 - own1a_of_sigma_0_left,
+      own1a_of_sigma_0_right_rest = sigma_0_lo - own1a_of_sigma_0_right,
+      own1a_of_sigma_0_lo = own1a_of_sigma_0_left_rest + own1a_of_sigma_0_right_rest,
+      own1 = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0 : 1.0,
+      own1_lo = 0.0 < own1a_of_sigma_0 ? own1a_of_sigma_0_lo : 0.0;
+  const double part1a_of_own1 = own1 + own1_lo, part1a_of_own1_right = part1a_of_own1 - own1,
+      part1a_of_own1_left = part1a_of_own1 - part1a_of_own1_right,
+      part1a_of_own1_left_rest = own1 - part1a_of_own1_left,
+      part1a_of_own1_right_rest = own1_lo - part1a_of_own1_right,
+      part1a_of_own1_lo = part1a_of_own1_left_rest + part1a_of_own1_right_rest,
+      part1a = divisor1a_of_u1_0 / part1a_of_own1, part1a_product = KSL_MUL(part1a, part1a_of_own1),
+      part1a_product_error = ksl_product_error(part1a, part1a_of_own1, part1a_product),
+      part1a_rest = divisor1a_of_u1_0 - part1a_product,
+      part1a_exact = part1a_rest - part1a_product_error,
+      part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo,
+      part1a_cross = KSL_MUL(part1a, part1a_of_own1_lo),
+      part1a_residual = part1a_numerator - part1a_cross,
+      part1a_lo = part1a_residual / part1a_of_own1,
+      part1 = 0.0 < own1a_of_sigma_0 ? part1a : own1a_of_sigma_0,
+      part1_lo = 0.0 < own1a_of_sigma_0 ? part1a_lo : own1a_of_sigma_0_lo;
+  const double smallest1a_of_part0 = part0 + part0_lo,
+      smallest1a_of_part0_right = smallest1a_of_part0 - part0,
+      smallest1a_of_part0_left = smallest1a_of_part0 - smallest1a_of_part0_right,
+      smallest1a_of_part0_left_rest = part0 - smallest1a_of_part0_left,
+      smallest1a_of_part0_right_rest = part0_lo - smallest1a_of_part0_right,
+      smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + smallest1a_of_part0_right_rest,
+      smallest1a_of_part1 = part1 + part1_lo,
+      smallest1a_of_part1_right = smallest1a_of_part1 - part1,
+      smallest1a_of_part1_left = smallest1a_of_part1 - smallest1a_of_part1_right,
+      smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
+      smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
+      smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+  const double own2a_of_sigma_1 = sigma_1 + sigma_1_lo,
+      own2a_of_sigma_1_right = own2a_of_sigma_1 - sigma_1,
+      own2a_of_sigma_1_left = own2a_of_sigma_1 - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_left_rest = sigma_1 - own2a_of_sigma_1_left,
+      own2a_of_sigma_1_right_rest = sigma_1_lo - own2a_of_sigma_1_right,
+      own2a_of_sigma_1_lo = own2a_of_sigma_1_left_rest + own2a_of_sigma_1_right_rest,
+      own2 = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1 : 1.0,
+      own2_lo = 0.0 < own2a_of_sigma_1 ? own2a_of_sigma_1_lo : 0.0;
+  const double part2a_of_own2 = own2 + own2_lo, part2a_of_own2_right = part2a_of_own2 - own2,
+      part2a_of_own2_left = part2a_of_own2 - part2a_of_own2_right,
+      part2a_of_own2_left_rest = own2 - part2a_of_own2_left,
+      part2a_of_own2_right_rest = own2_lo - part2a_of_own2_right,
+      part2a_of_own2_lo = part2a_of_own2_left_rest + part2a_of_own2_right_rest,
+      part2a = divisor2a_of_u2_0 / part2a_of_own2, part2a_product = KSL_MUL(part2a, part2a_of_own2),
+      part2a_product_error = ksl_product_error(part2a, part2a_of_own2, part2a_product),
+      part2a_rest = divisor2a_of_u2_0 - part2a_product,
+      part2a_exact = part2a_rest - part2a_product_error,
+      part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo,
+      part2a_cross = KSL_MUL(part2a, part2a_of_own2_lo),
+      part2a_residual = part2a_numerator - part2a_cross,
+      part2a_lo = part2a_residual / part2a_of_own2,
+      part2 = 0.0 < own2a_of_sigma_1 ? part2a : own2a_of_sigma_1,
+      part2_lo = 0.0 < own2a_of_sigma_1 ? part2a_lo : own2a_of_sigma_1_lo;
+  const double smallest2a_of_smallest1 = smallest1 + smallest1_lo,
+      smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1,
+      smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
+      smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_part2 = part2 + part2_lo,
+      smallest2a_of_part2_right = smallest2a_of_part2 - part2,
+      smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
+      smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
+      smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
+      smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+  const double own3a_of_sigma_2 = sigma_2 + sigma_2_lo,
+      own3a_of_sigma_2_right = own3a_of_sigma_2 - sigma_2,
+      own3a_of_sigma_2_left = own3a_of_sigma_2 - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_left_rest = sigma_2 - own3a_of_sigma_2_left,
+      own3a_of_sigma_2_right_rest = sigma_2_lo - own3a_of_sigma_2_right,
+      own3a_of_sigma_2_lo = own3a_of_sigma_2_left_rest + own3a_of_sigma_2_right_rest,
+      own3 = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2 : 1.0,
+      own3_lo = 0.0 < own3a_of_sigma_2 ? own3a_of_sigma_2_lo : 0.0;
+  const double part3a_of_u3 = u3 + u3_lo, part3a_of_u3_right = part3a_of_u3 - u3,
+      part3a_of_u3_left = part3a_of_u3 - part3a_of_u3_right,
+      part3a_of_u3_left_rest = u3 - part3a_of_u3_left,
+      part3a_of_u3_right_rest = u3_lo - part3a_of_u3_right,
+      part3a_of_u3_lo = part3a_of_u3_left_rest + part3a_of_u3_right_rest,
+      part3a_of_own3 = own3 + own3_lo, part3a_of_own3_right = part3a_of_own3 - own3,
+      part3a_of_own3_left = part3a_of_own3 - part3a_of_own3_right,
+      part3a_of_own3_left_rest = own3 - part3a_of_own3_left,
+      part3a_of_own3_right_rest = own3_lo - part3a_of_own3_right,
+      part3a_of_own3_lo = part3a_of_own3_left_rest + part3a_of_own3_right_rest,
+      part3a = part3a_of_u3 / part3a_of_own3, part3a_product = KSL_MUL(part3a, part3a_of_own3),
+      part3a_product_error = ksl_product_error(part3a, part3a_of_own3, part3a_product),
+      part3a_rest = part3a_of_u3 - part3a_product,
+      part3a_exact = part3a_rest - part3a_product_error,
+      part3a_numerator = part3a_exact + part3a_of_u3_lo,
+      part3a_cross = KSL_MUL(part3a, part3a_of_own3_lo),
+      part3a_residual = part3a_numerator - part3a_cross,
+      part3a_lo = part3a_residual / part3a_of_own3,
+      part3 = 0.0 < own3a_of_sigma_2 ? part3a : own3a_of_sigma_2,
+      part3_lo = 0.0 < own3a_of_sigma_2 ? part3a_lo : own3a_of_sigma_2_lo;
+  const double smallest3a_of_smallest2 = smallest2 + smallest2_lo,
+      smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2,
+      smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
+      smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_part3 = part3 + part3_lo,
+      smallest3a_of_part3_right = smallest3a_of_part3 - part3,
+      smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
+      smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
+      smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
+      smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+  const double smallest3_rounded = smallest3 + smallest3_lo,
+      smallest3_final = smallest3_rounded == smallest3_rounded ? smallest3_rounded : smallest3;
+  return smallest3_final;
+}
+
+/* self = a self.
+   self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in
+     kg m^2); a: number.
+   10 mul.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_spatial_inertiaf_scale_accurate(ksl_spatial_inertiaf_t *self,
+    const float a) {
+  const double self_0_new = (double)self->m * (double)a;
+  const double self_1_new = (double)self->h.x * (double)a;
+  const double self_2_new = (double)self->h.y * (double)a;
+  const double self_3_new = (double)self->h.z * (double)a;
+  const double self_4_new = (double)self->xx * (double)a;
+  const double self_5_new = (double)self->yy * (double)a;
+  const double self_6_new = (double)self->zz * (double)a;
+  const double self_7_new = (double)self->xy * (double)a;
+  const double self_8_new = (double)self->xz * (double)a;
+  const double self_9_new = (double)self->yz * (double)a;
+  self->m = (float)self_0_new;
+  self->h.x = (float)self_1_new;
+  self->h.y = (float)self_2_new;
+  self->h.z = (float)self_3_new;
+  self->xx = (float)self_4_new;
+  self->yy = (float)self_5_new;
+  self->zz = (float)self_6_new;
+  self->xy = (float)self_7_new;
+  self->xz = (float)self_8_new;
+  self->yz = (float)self_9_new;
+}
+
+/* Bo = B1 + B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_add_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
+  const double Bo_0 = (double)B1->m + (double)B2->m;
+  const double Bo_1 = (double)B1->h.x + (double)B2->h.x;
+  const double Bo_2 = (double)B1->h.y + (double)B2->h.y;
+  const double Bo_3 = (double)B1->h.z + (double)B2->h.z;
+  const double Bo_4 = (double)B1->xx + (double)B2->xx;
+  const double Bo_5 = (double)B1->yy + (double)B2->yy;
+  const double Bo_6 = (double)B1->zz + (double)B2->zz;
+  const double Bo_7 = (double)B1->xy + (double)B2->xy;
+  const double Bo_8 = (double)B1->xz + (double)B2->xz;
+  const double Bo_9 = (double)B1->yz + (double)B2->yz;
+  Bo->m = (float)Bo_0;
+  Bo->h.x = (float)Bo_1;
+  Bo->h.y = (float)Bo_2;
+  Bo->h.z = (float)Bo_3;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo = B1 - B2.
+   B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
+     yz in kg m^2).
+   10 add.
+   Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline void ksl_subtract_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
+  const double Bo_0 = (double)B1->m - (double)B2->m;
+  const double Bo_1 = (double)B1->h.x - (double)B2->h.x;
+  const double Bo_2 = (double)B1->h.y - (double)B2->h.y;
+  const double Bo_3 = (double)B1->h.z - (double)B2->h.z;
+  const double Bo_4 = (double)B1->xx - (double)B2->xx;
+  const double Bo_5 = (double)B1->yy - (double)B2->yy;
+  const double Bo_6 = (double)B1->zz - (double)B2->zz;
+  const double Bo_7 = (double)B1->xy - (double)B2->xy;
+  const double Bo_8 = (double)B1->xz - (double)B2->xz;
+  const double Bo_9 = (double)B1->yz - (double)B2->yz;
+  Bo->m = (float)Bo_0;
+  Bo->h.x = (float)Bo_1;
+  Bo->h.y = (float)Bo_2;
+  Bo->h.z = (float)Bo_3;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   9 mul, 9 add.
+   Error <= u |result| + (m: 0, h: 1/32, I: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_from_com_accurate(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo) {
+  const double h_0 = (double)m * (double)com->x;
+  const double h_1 = (double)m * (double)com->y;
+  const double h_2 = (double)m * (double)com->z;
+  const double squares_0 = KSL_MUL((double)com->x, h_0);
+  const double squares_1 = KSL_MUL((double)com->y, h_1);
+  const double squares_2 = KSL_MUL((double)com->z, h_2);
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = (double)Ic->m00 + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = (double)Ic->m11 + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = (double)Ic->m22 + Bo_6a;
+  const double Bo_7a = KSL_MUL((double)com->y, h_0), Bo_7 = (double)Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL((double)com->z, h_0), Bo_8 = (double)Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL((double)com->z, h_1), Bo_9 = (double)Ic->m12 - Bo_9a;
+  Bo->m = m;
+  Bo->h.x = (float)h_0;
+  Bo->h.y = (float)h_1;
+  Bo->h.z = (float)h_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
+     a number where m = 0.
+   J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
+     kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+     xz, yz in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf_t *J,
+    ksl_spatial_inertiaf_t *Bo) {
+  const double c_0 = (double)J->mt.x / (double)J->m;
+  const double c_1 = (double)J->mt.y / (double)J->m;
+  const double c_2 = (double)J->mt.z / (double)J->m;
+  const double squares_0 = KSL_MUL((double)J->mt.x, c_0);
+  const double squares_1 = KSL_MUL((double)J->mt.y, c_1);
+  const double squares_2 = KSL_MUL((double)J->mt.z, c_2);
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = (double)J->Ixx + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = (double)J->Iyy + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = (double)J->Izz + Bo_6a;
+  const double Bo_7a = KSL_MUL((double)J->mt.x, c_1), Bo_7 = (double)J->Ixy - Bo_7a;
+  const double Bo_8a = KSL_MUL((double)J->mt.x, c_2), Bo_8 = (double)J->Izx - Bo_8a;
+  const double Bo_9a = KSL_MUL((double)J->mt.y, c_2), Bo_9 = (double)J->Iyz - Bo_9a;
+  const float J_m = J->m;
+  const float J_mt_x = J->mt.x;
+  const float J_mt_y = J->mt.y;
+  const float J_mt_z = J->mt.z;
+  Bo->m = J_m;
+  Bo->h.x = J_mt_x;
+  Bo->h.y = J_mt_y;
+  Bo->h.z = J_mt_z;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
+     a number where m = 0.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
+     yz, zx in kg m^2).
+   6 mul, 9 add, 3 div.
+   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+static inline void ksl_inertiaf_from_spatial_inertia_accurate(const ksl_spatial_inertiaf_t *B,
+    ksl_inertiaf_t *Jo) {
+  const double c_0 = (double)B->h.x / (double)B->m;
+  const double c_1 = (double)B->h.y / (double)B->m;
+  const double c_2 = (double)B->h.z / (double)B->m;
+  const double squares_0 = KSL_MUL((double)B->h.x, c_0);
+  const double squares_1 = KSL_MUL((double)B->h.y, c_1);
+  const double squares_2 = KSL_MUL((double)B->h.z, c_2);
+  const double Jo_4a = squares_1 + squares_2, Jo_4 = (double)B->xx - Jo_4a;
+  const double Jo_5a = squares_0 + squares_2, Jo_5 = (double)B->yy - Jo_5a;
+  const double Jo_6a = squares_0 + squares_1, Jo_6 = (double)B->zz - Jo_6a;
+  const double Jo_7a = KSL_MUL((double)B->h.x, c_1), Jo_7 = Jo_7a + (double)B->xy;
+  const double Jo_8a = KSL_MUL((double)B->h.y, c_2), Jo_8 = Jo_8a + (double)B->yz;
+  const double Jo_9a = KSL_MUL((double)B->h.x, c_2), Jo_9 = Jo_9a + (double)B->xz;
+  const float B_m = B->m;
+  const float B_h_x = B->h.x;
+  const float B_h_y = B->h.y;
+  const float B_h_z = B->h.z;
+  Jo->m = B_m;
+  Jo->mt.x = B_h_x;
+  Jo->mt.y = B_h_y;
+  Jo->mt.z = B_h_z;
+  Jo->Ixx = (float)Jo_4;
+  Jo->Iyy = (float)Jo_5;
+  Jo->Izz = (float)Jo_6;
+  Jo->Ixy = (float)Jo_7;
+  Jo->Iyz = (float)Jo_8;
+  Jo->Izx = (float)Jo_9;
+}
+
+/* vo = h / m, the centre of mass in m.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); vo: vector.
+   3 div.
+   Error <= u |result|, barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_com_accurate(const ksl_spatial_inertiaf_t *B,
+    ksl_vec3f_t *vo) {
+  const double vo_0 = (double)B->h.x / (double)B->m;
+  const double vo_1 = (double)B->h.y / (double)B->m;
+  const double vo_2 = (double)B->h.z / (double)B->m;
+  vo->x = (float)vo_0;
+  vo->y = (float)vo_1;
+  vo->z = (float)vo_2;
+}
+
+/* Ro = I + h~ h~ / m, the second moments about the centre of mass.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 div. */
+static inline void ksl_spatial_inertiaf_about_com_accurate(const ksl_spatial_inertiaf_t *B,
+    ksl_mat3x3f_t *Ro) {
+  const double c_0 = (double)B->h.x / (double)B->m;
+  const double c_1 = (double)B->h.y / (double)B->m;
+  const double c_2 = (double)B->h.z / (double)B->m;
+  const double squares_0 = KSL_MUL((double)B->h.x, c_0);
+  const double squares_1 = KSL_MUL((double)B->h.y, c_1);
+  const double squares_2 = KSL_MUL((double)B->h.z, c_2);
+  const double about_0a = squares_1 + squares_2, about_0 = (double)B->xx - about_0a;
+  const double about_1a = squares_0 + squares_2, about_1 = (double)B->yy - about_1a;
+  const double about_2a = squares_0 + squares_1, about_2 = (double)B->zz - about_2a;
+  const double about_3a = KSL_MUL((double)B->h.x, c_1), about_3 = about_3a + (double)B->xy;
+  const double about_4a = KSL_MUL((double)B->h.x, c_2), about_4 = about_4a + (double)B->xz;
+  const double about_5a = KSL_MUL((double)B->h.y, c_2), about_5 = about_5a + (double)B->yz;
+  Ro->m00 = (float)about_0;
+  Ro->m01 = (float)about_3;
+  Ro->m02 = (float)about_4;
+  Ro->m10 = (float)about_3;
+  Ro->m11 = (float)about_1;
+  Ro->m12 = (float)about_5;
+  Ro->m20 = (float)about_4;
+  Ro->m21 = (float)about_5;
+  Ro->m22 = (float)about_2;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   24 mul, 18 add.
+   Error <= u |result| + (lin: 3/32, ang: 1/8) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s, ksl_coscrewf_t *co) {
+  const double co_0a = (double)B->m * (double)s->m0, co_0b = (double)B->h.z * (double)s->m4,
+      co_0c = (double)B->h.y * (double)s->m5, co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = (double)B->m * (double)s->m1, co_1b = (double)B->h.x * (double)s->m5,
+      co_1c = (double)B->h.z * (double)s->m3, co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = (double)B->m * (double)s->m2, co_2b = (double)B->h.y * (double)s->m3,
+      co_2c = (double)B->h.x * (double)s->m4, co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = (double)B->h.y * (double)s->m2, co_3b = (double)B->h.z * (double)s->m1,
+      co_3c = co_3a - co_3b, co_3d = (double)B->xx * (double)s->m3,
+      co_3e = (double)B->xy * (double)s->m4, co_3f = co_3d + co_3e,
+      co_3g = (double)B->xz * (double)s->m5, co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
+  const double co_4a = (double)B->h.z * (double)s->m0, co_4b = (double)B->h.x * (double)s->m2,
+      co_4c = co_4a - co_4b, co_4d = (double)B->yy * (double)s->m4,
+      co_4e = (double)B->xy * (double)s->m3, co_4f = co_4d + co_4e,
+      co_4g = (double)B->yz * (double)s->m5, co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
+  const double co_5a = (double)B->h.x * (double)s->m1, co_5b = (double)B->h.y * (double)s->m0,
+      co_5c = co_5a - co_5b, co_5d = (double)B->zz * (double)s->m5,
+      co_5e = (double)B->xz * (double)s->m3, co_5f = co_5d + co_5e,
+      co_5g = (double)B->yz * (double)s->m4, co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  co->m0 = (float)co_0;
+  co->m1 = (float)co_1;
+  co->m2 = (float)co_2;
+  co->m3 = (float)co_3;
+  co->m4 = (float)co_4;
+  co->m5 = (float)co_5;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s).
+   28 mul, 17 add.
+   Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
+     over- and underflow. */
+static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s) {
+  const double across_0a = (double)B->h.z * (double)s->m4,
+      across_0b = (double)B->h.y * (double)s->m5, across_0 = across_0a - across_0b;
+  const double across_1a = (double)B->h.x * (double)s->m5,
+      across_1b = (double)B->h.z * (double)s->m3, across_1 = across_1a - across_1b;
+  const double across_2a = (double)B->h.y * (double)s->m3,
+      across_2b = (double)B->h.x * (double)s->m4, across_2 = across_2a - across_2b;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = (double)B->m * (double)s->m0, p_0 = p_0a + twice_across_0;
+  const double p_1a = (double)B->m * (double)s->m1, p_1 = p_1a + twice_across_1;
+  const double p_2a = (double)B->m * (double)s->m2, p_2 = p_2a + twice_across_2;
+  const double L_0a = (double)B->xx * (double)s->m3, L_0b = (double)B->xy * (double)s->m4,
+      L_0c = L_0a + L_0b, L_0d = (double)B->xz * (double)s->m5, L_0 = L_0c + L_0d;
+  const double L_1a = (double)B->yy * (double)s->m4, L_1b = (double)B->xy * (double)s->m3,
+      L_1c = L_1a + L_1b, L_1d = (double)B->yz * (double)s->m5, L_1 = L_1c + L_1d;
+  const double L_2a = (double)B->zz * (double)s->m5, L_2b = (double)B->xz * (double)s->m3,
+      L_2c = L_2a + L_2b, L_2d = (double)B->yz * (double)s->m4, L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL((double)s->m0, p_0), twice_b = KSL_MUL((double)s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL((double)s->m2, p_2),
+      twice_e = twice_c + twice_d, twice_f = KSL_MUL((double)s->m3, L_0),
+      twice_g = KSL_MUL((double)s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL((double)s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
+  return (float)energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+   t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2).
+   18 mul, 18 add.
+   Error <= u |result| + (m: 0, h: 1/16, I: 5/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
+  const double mt_0 = (double)t->x * (double)B->m;
+  const double mt_1 = (double)t->y * (double)B->m;
+  const double mt_2 = (double)t->z * (double)B->m;
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = (double)B->h.x + half_0;
+  const double n_1 = (double)B->h.y + half_1;
+  const double n_2 = (double)B->h.z + half_2;
+  const double tn0 = KSL_MUL((double)t->x, n_0);
+  const double tn1 = KSL_MUL((double)t->y, n_1);
+  const double tn2 = KSL_MUL((double)t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = KSL_MUL((double)t->x, n_1), pairs_3b = KSL_MUL((double)t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL((double)t->x, n_2), pairs_4b = KSL_MUL((double)t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL((double)t->y, n_2), pairs_5b = KSL_MUL((double)t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = (double)B->h.x + mt_0;
+  const double moved_1 = (double)B->h.y + mt_1;
+  const double moved_2 = (double)B->h.z + mt_2;
+  const double Bo_4 = (double)B->xx + pairs_0;
+  const double Bo_5 = (double)B->yy + pairs_1;
+  const double Bo_6 = (double)B->zz + pairs_2;
+  const double Bo_7 = (double)B->xy - pairs_3;
+  const double Bo_8 = (double)B->xz - pairs_4;
+  const double Bo_9 = (double)B->yz - pairs_5;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = (float)moved_0;
+  Bo->h.y = (float)moved_1;
+  Bo->h.z = (float)moved_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+   D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
+     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   72 mul, 54 add.
+   Error <= u |result| + (m: 0, h: 1/8, I: 7/32) u^2 S, S the sum of the |terms| of the expanded
+     formula; barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
+  const double RI_0a = (double)D->m00 * (double)B->xx, RI_0b = (double)D->m01 * (double)B->xy,
+      RI_0c = RI_0a + RI_0b, RI_0d = (double)D->m02 * (double)B->xz, RI_0 = RI_0c + RI_0d;
+  const double RI_1a = (double)D->m00 * (double)B->xy, RI_1b = (double)D->m01 * (double)B->yy,
+      RI_1c = RI_1a + RI_1b, RI_1d = (double)D->m02 * (double)B->yz, RI_1 = RI_1c + RI_1d;
+  const double RI_2a = (double)D->m00 * (double)B->xz, RI_2b = (double)D->m01 * (double)B->yz,
+      RI_2c = RI_2a + RI_2b, RI_2d = (double)D->m02 * (double)B->zz, RI_2 = RI_2c + RI_2d;
+  const double RI_3a = (double)D->m10 * (double)B->xx, RI_3b = (double)D->m11 * (double)B->xy,
+      RI_3c = RI_3a + RI_3b, RI_3d = (double)D->m12 * (double)B->xz, RI_3 = RI_3c + RI_3d;
+  const double RI_4a = (double)D->m10 * (double)B->xy, RI_4b = (double)D->m11 * (double)B->yy,
+      RI_4c = RI_4a + RI_4b, RI_4d = (double)D->m12 * (double)B->yz, RI_4 = RI_4c + RI_4d;
+  const double RI_5a = (double)D->m10 * (double)B->xz, RI_5b = (double)D->m11 * (double)B->yz,
+      RI_5c = RI_5a + RI_5b, RI_5d = (double)D->m12 * (double)B->zz, RI_5 = RI_5c + RI_5d;
+  const double RI_6a = (double)D->m20 * (double)B->xx, RI_6b = (double)D->m21 * (double)B->xy,
+      RI_6c = RI_6a + RI_6b, RI_6d = (double)D->m22 * (double)B->xz, RI_6 = RI_6c + RI_6d;
+  const double RI_7a = (double)D->m20 * (double)B->xy, RI_7b = (double)D->m21 * (double)B->yy,
+      RI_7c = RI_7a + RI_7b, RI_7d = (double)D->m22 * (double)B->yz, RI_7 = RI_7c + RI_7d;
+  const double RI_8a = (double)D->m20 * (double)B->xz, RI_8b = (double)D->m21 * (double)B->yz,
+      RI_8c = RI_8a + RI_8b, RI_8d = (double)D->m22 * (double)B->zz, RI_8 = RI_8c + RI_8d;
+  const double turned_1a = (double)D->m00 * (double)B->h.x,
+      turned_1b = (double)D->m01 * (double)B->h.y, turned_1c = turned_1a + turned_1b,
+      turned_1d = (double)D->m02 * (double)B->h.z, turned_1 = turned_1c + turned_1d;
+  const double turned_2a = (double)D->m10 * (double)B->h.x,
+      turned_2b = (double)D->m11 * (double)B->h.y, turned_2c = turned_2a + turned_2b,
+      turned_2d = (double)D->m12 * (double)B->h.z, turned_2 = turned_2c + turned_2d;
+  const double turned_3a = (double)D->m20 * (double)B->h.x,
+      turned_3b = (double)D->m21 * (double)B->h.y, turned_3c = turned_3a + turned_3b,
+      turned_3d = (double)D->m22 * (double)B->h.z, turned_3 = turned_3c + turned_3d;
+  const double turned_4a = KSL_MUL((double)D->m00, RI_0), turned_4b = KSL_MUL((double)D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL((double)D->m02, RI_2),
+      turned_4 = turned_4c + turned_4d;
+  const double turned_5a = KSL_MUL((double)D->m10, RI_3), turned_5b = KSL_MUL((double)D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL((double)D->m12, RI_5),
+      turned_5 = turned_5c + turned_5d;
+  const double turned_6a = KSL_MUL((double)D->m20, RI_6), turned_6b = KSL_MUL((double)D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL((double)D->m22, RI_8),
+      turned_6 = turned_6c + turned_6d;
+  const double turned_7a = KSL_MUL((double)D->m10, RI_0), turned_7b = KSL_MUL((double)D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL((double)D->m12, RI_2),
+      turned_7 = turned_7c + turned_7d;
+  const double turned_8a = KSL_MUL((double)D->m20, RI_0), turned_8b = KSL_MUL((double)D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL((double)D->m22, RI_2),
+      turned_8 = turned_8c + turned_8d;
+  const double turned_9a = KSL_MUL((double)D->m20, RI_3), turned_9b = KSL_MUL((double)D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL((double)D->m22, RI_5),
+      turned_9 = turned_9c + turned_9d;
+  const double mt_0 = (double)D->m03 * (double)B->m;
+  const double mt_1 = (double)D->m13 * (double)B->m;
+  const double mt_2 = (double)D->m23 * (double)B->m;
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = turned_1 + half_0;
+  const double n_1 = turned_2 + half_1;
+  const double n_2 = turned_3 + half_2;
+  const double tn0 = KSL_MUL((double)D->m03, n_0);
+  const double tn1 = KSL_MUL((double)D->m13, n_1);
+  const double tn2 = KSL_MUL((double)D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = KSL_MUL((double)D->m03, n_1), pairs_3b = KSL_MUL((double)D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL((double)D->m03, n_2), pairs_4b = KSL_MUL((double)D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL((double)D->m13, n_2), pairs_5b = KSL_MUL((double)D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = (float)moved_0;
+  Bo->h.y = (float)moved_1;
+  Bo->h.z = (float)moved_2;
+  Bo->xx = (float)Bo_4;
+  Bo->yy = (float)Bo_5;
+  Bo->zz = (float)Bo_6;
+  Bo->xy = (float)Bo_7;
+  Bo->xz = (float)Bo_8;
+  Bo->yz = (float)Bo_9;
+}
+
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+     positive exactly if a body of positive density has this inertia.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2).
+   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_inertiaf_t *B) {
+  const double trace_a = 0.5 * (double)B->xx, trace_b = 0.5 * (double)B->yy,
+      trace_c = trace_a + trace_b, trace_d = 0.5 * (double)B->zz, trace = trace_c + trace_d;
+  const double sigma_0 = trace - (double)B->xx;
+  const double sigma_1 = trace - (double)B->yy;
+  const double sigma_2 = trace - (double)B->zz;
+  const double divisor0 = 0.0 < (double)B->m ? (double)B->m : 1.0;
+  const double l0_0 = (double)B->h.x / divisor0;
+  const double l0_1 = (double)B->h.y / divisor0;
+  const double l0_2 = (double)B->h.z / divisor0;
+  const double u1_0a = KSL_MUL((double)B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
+  const double u1_1a = KSL_MUL((double)B->h.y, l0_0), u1_1b = u1_1a + (double)B->xy, u1_1 = -u1_1b;
+  const double u1_2a = KSL_MUL((double)B->h.z, l0_0), u1_2b = u1_2a + (double)B->xz, u1_2 = -u1_2b;
+  const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
+  const double l1_0 = u1_1 / divisor1;
+  const double l1_1 = u1_2 / divisor1;
+  const double u2_0a = KSL_MUL((double)B->h.y, l0_1), u2_0b = sigma_1 - u2_0a,
+      u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
+  const double u2_1a = KSL_MUL((double)B->h.z, l0_1), u2_1b = u2_1a + (double)B->yz,
+      u2_1c = KSL_MUL(u1_2, l1_0), u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
+  const double l2 = u2_1 / divisor2;
+  const double u3a = KSL_MUL((double)B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),
+      u3d = u3b - u3c, u3e = KSL_MUL(u2_1, l2), u3 = u3d - u3e;
+  const double part0a = (double)B->m / divisor0, part0 = 0.0 < (double)B->m ? part0a : (double)B->m;
+  const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
+  const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
+  const double smallest1 = part0 < part1 ? part0 : part1;
+  const double own2 = 0.0 < sigma_1 ? sigma_1 : 1.0;
+  const double part2a = u2_0 / own2, part2 = 0.0 < sigma_1 ? part2a : sigma_1;
+  const double smallest2 = smallest1 < part2 ? smallest1 : part2;
+  const double own3 = 0.0 < sigma_2 ? sigma_2 : 1.0;
+  const double part3a = u3 / own3, part3 = 0.0 < sigma_2 ? part3a : sigma_2;
+  const double smallest3 = smallest2 < part3 ? smallest2 : part3;
+  return (float)smallest3;
+}
+
+#endif

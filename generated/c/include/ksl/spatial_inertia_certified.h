@@ -1,0 +1,1501 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+   Certified tier: plain results, and bounds of their errors that hold. */
+#ifndef KSL_SPATIAL_INERTIA_CERTIFIED_H
+#define KSL_SPATIAL_INERTIA_CERTIFIED_H
+
+#include "ksl_types.h"
+
+/* self = a self; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2); a: number.
+   20 mul, 10 add, 10 abs. */
+static inline void ksl_spatial_inertia_scale_certified(ksl_spatial_inertia_t *self,
+    const double a, ksl_spatial_inertia_t *self_bound) {
+  const double self_0_new = KSL_MUL(self->m, a);
+  const double self_1_new = KSL_MUL(self->h.x, a);
+  const double self_2_new = KSL_MUL(self->h.y, a);
+  const double self_3_new = KSL_MUL(self->h.z, a);
+  const double self_4_new = KSL_MUL(self->xx, a);
+  const double self_5_new = KSL_MUL(self->yy, a);
+  const double self_6_new = KSL_MUL(self->zz, a);
+  const double self_7_new = KSL_MUL(self->xy, a);
+  const double self_8_new = KSL_MUL(self->xz, a);
+  const double self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new_abs = fabs(self_0_new),
+      self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
+      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
+  const double self_1_new_abs = fabs(self_1_new),
+      self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
+      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
+  const double self_2_new_abs = fabs(self_2_new),
+      self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
+      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
+  const double self_3_new_abs = fabs(self_3_new),
+      self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
+      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
+  const double self_4_new_abs = fabs(self_4_new),
+      self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
+      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
+  const double self_5_new_abs = fabs(self_5_new),
+      self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
+      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
+  const double self_6_new_abs = fabs(self_6_new),
+      self_6_new_padded = self_6_new_abs + 2.004168360008973e-292,
+      self_6_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_6_new_padded);
+  const double self_7_new_abs = fabs(self_7_new),
+      self_7_new_padded = self_7_new_abs + 2.004168360008973e-292,
+      self_7_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_7_new_padded);
+  const double self_8_new_abs = fabs(self_8_new),
+      self_8_new_padded = self_8_new_abs + 2.004168360008973e-292,
+      self_8_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_8_new_padded);
+  const double self_9_new_abs = fabs(self_9_new),
+      self_9_new_padded = self_9_new_abs + 2.004168360008973e-292,
+      self_9_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_9_new_padded);
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+  self_bound->m = self_0_new_error_bound;
+  self_bound->h.x = self_1_new_error_bound;
+  self_bound->h.y = self_2_new_error_bound;
+  self_bound->h.z = self_3_new_error_bound;
+  self_bound->xx = self_4_new_error_bound;
+  self_bound->yy = self_5_new_error_bound;
+  self_bound->zz = self_6_new_error_bound;
+  self_bound->xy = self_7_new_error_bound;
+  self_bound->xz = self_8_new_error_bound;
+  self_bound->yz = self_9_new_error_bound;
+}
+
+/* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_add_BB_certified(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
+  const double Bo_0 = B1->m + B2->m;
+  const double Bo_1 = B1->h.x + B2->h.x;
+  const double Bo_2 = B1->h.y + B2->h.y;
+  const double Bo_3 = B1->h.z + B2->h.z;
+  const double Bo_4 = B1->xx + B2->xx;
+  const double Bo_5 = B1->yy + B2->yy;
+  const double Bo_6 = B1->zz + B2->zz;
+  const double Bo_7 = B1->xy + B2->xy;
+  const double Bo_8 = B1->xz + B2->xz;
+  const double Bo_9 = B1->yz + B2->yz;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
+    const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
+  const double Bo_0 = B1->m - B2->m;
+  const double Bo_1 = B1->h.x - B2->h.x;
+  const double Bo_2 = B1->h.y - B2->h.y;
+  const double Bo_3 = B1->h.z - B2->h.z;
+  const double Bo_4 = B1->xx - B2->xx;
+  const double Bo_5 = B1->yy - B2->yy;
+  const double Bo_6 = B1->zz - B2->zz;
+  const double Bo_7 = B1->xy - B2->xy;
+  const double Bo_8 = B1->xz - B2->xz;
+  const double Bo_9 = B1->yz - B2->yz;
+  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
+  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
+  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
+  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
+  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
+  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
+  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
+  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
+  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
+  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
+     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   24 mul, 27 add, 12 abs. */
+static inline void ksl_spatial_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
+    const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
+  const double h_0 = KSL_MUL(m, com->x);
+  const double h_1 = KSL_MUL(m, com->y);
+  const double h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0);
+  const double squares_1 = KSL_MUL(com->y, h_1);
+  const double squares_2 = KSL_MUL(com->z, h_2);
+  const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
+  const double h_0_abs = fabs(h_0), h_0_padded = h_0_abs + 2.004168360008973e-292;
+  const double com_0_abs = fabs(com->x), squares_0_size = KSL_MUL(com_0_abs, h_0_padded);
+  const double h_1_abs = fabs(h_1), h_1_padded = h_1_abs + 2.004168360008973e-292;
+  const double com_1_abs = fabs(com->y), squares_1_size = KSL_MUL(com_1_abs, h_1_padded);
+  const double h_2_abs = fabs(h_2), h_2_padded = h_2_abs + 2.004168360008973e-292;
+  const double com_2_abs = fabs(com->z), squares_2_size = KSL_MUL(com_2_abs, h_2_padded);
+  const double Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabs(Ic->m00),
+      Bo_4_size = Ic_00_abs + Bo_4a_size;
+  const double Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabs(Ic->m11),
+      Bo_5_size = Ic_11_abs + Bo_5a_size;
+  const double Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabs(Ic->m22),
+      Bo_6_size = Ic_22_abs + Bo_6a_size;
+  const double Bo_7a_size = KSL_MUL(com_1_abs, h_0_padded), Ic_01_abs = fabs(Ic->m01),
+      Bo_7_size = Ic_01_abs + Bo_7a_size;
+  const double Bo_8a_size = KSL_MUL(com_2_abs, h_0_padded), Ic_02_abs = fabs(Ic->m02),
+      Bo_8_size = Ic_02_abs + Bo_8a_size;
+  const double Bo_9a_size = KSL_MUL(com_2_abs, h_1_padded), Ic_12_abs = fabs(Ic->m12),
+      Bo_9_size = Ic_12_abs + Bo_9a_size;
+  const double h_0_error_bound = KSL_MUL(1.1102230246251568e-16, h_0_padded);
+  const double h_1_error_bound = KSL_MUL(1.1102230246251568e-16, h_1_padded);
+  const double h_2_error_bound = KSL_MUL(1.1102230246251568e-16, h_2_padded);
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = KSL_MUL(4.440892098500628e-16, Bo_4_padded);
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = KSL_MUL(4.440892098500628e-16, Bo_5_padded);
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = KSL_MUL(4.440892098500628e-16, Bo_6_padded);
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_7_padded);
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_8_padded);
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_9_padded);
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = h_0_error_bound;
+  Bo_bound->h.y = h_1_error_bound;
+  Bo_bound->h.z = h_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
+     <= co_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   30 mul, 42 add, 24 abs. */
+static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
+    ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
+  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
+  const double co_0b_abs = fabs(co_0b), co_0c_abs = fabs(co_0c), co_0d_size = co_0b_abs + co_0c_abs,
+      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0d_size;
+  const double co_1b_abs = fabs(co_1b), co_1c_abs = fabs(co_1c), co_1d_size = co_1b_abs + co_1c_abs,
+      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1d_size;
+  const double co_2b_abs = fabs(co_2b), co_2c_abs = fabs(co_2c), co_2d_size = co_2b_abs + co_2c_abs,
+      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2d_size;
+  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
+      co_3d_abs = fabs(co_3d), co_3e_abs = fabs(co_3e), co_3f_size = co_3d_abs + co_3e_abs,
+      co_3g_abs = fabs(co_3g), co_3h_size = co_3f_size + co_3g_abs,
+      co_3_size = co_3c_size + co_3h_size;
+  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
+      co_4d_abs = fabs(co_4d), co_4e_abs = fabs(co_4e), co_4f_size = co_4d_abs + co_4e_abs,
+      co_4g_abs = fabs(co_4g), co_4h_size = co_4f_size + co_4g_abs,
+      co_4_size = co_4c_size + co_4h_size;
+  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
+      co_5d_abs = fabs(co_5d), co_5e_abs = fabs(co_5e), co_5f_size = co_5d_abs + co_5e_abs,
+      co_5g_abs = fabs(co_5g), co_5h_size = co_5f_size + co_5g_abs,
+      co_5_size = co_5c_size + co_5h_size;
+  const double co_0_padded = co_0_size + 2.004168360008973e-292,
+      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
+  const double co_1_padded = co_1_size + 2.004168360008973e-292,
+      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
+  const double co_2_padded = co_2_size + 2.004168360008973e-292,
+      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
+  const double co_3_padded = co_3_size + 2.004168360008973e-292,
+      co_3_error_bound = KSL_MUL(4.440892098500628e-16, co_3_padded);
+  const double co_4_padded = co_4_size + 2.004168360008973e-292,
+      co_4_error_bound = KSL_MUL(4.440892098500628e-16, co_4_padded);
+  const double co_5_padded = co_5_size + 2.004168360008973e-292,
+      co_5_error_bound = KSL_MUL(4.440892098500628e-16, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
+     energy_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
+   39 mul, 45 add, 24 abs. */
+static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_inertia_t *B,
+    const ksl_screw_t *s, double *energy_bound) {
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const double twice_across_0 = KSL_MUL(2.0, across_0);
+  const double twice_across_1 = KSL_MUL(2.0, across_1);
+  const double twice_across_2 = KSL_MUL(2.0, across_2);
+  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const double energy = KSL_MUL(0.5, twice);
+  const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
+      across_0_size = across_0a_abs + across_0b_abs;
+  const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
+      across_1_size = across_1a_abs + across_1b_abs;
+  const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
+      across_2_size = across_2a_abs + across_2b_abs;
+  const double across_0_padded = across_0_size + 2.004168360008973e-292;
+  const double twice_across_0_size = KSL_MUL(2.0, across_0_padded);
+  const double across_1_padded = across_1_size + 2.004168360008973e-292;
+  const double twice_across_1_size = KSL_MUL(2.0, across_1_padded);
+  const double across_2_padded = across_2_size + 2.004168360008973e-292;
+  const double twice_across_2_size = KSL_MUL(2.0, across_2_padded);
+  const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
+  const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
+  const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
+  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const double p_0_padded = p_0_size + 2.004168360008973e-292;
+  const double s_0_abs = fabs(s->m0), twice_a_size = KSL_MUL(s_0_abs, p_0_padded);
+  const double p_1_padded = p_1_size + 2.004168360008973e-292;
+  const double s_1_abs = fabs(s->m1), twice_b_size = KSL_MUL(s_1_abs, p_1_padded),
+      twice_c_size = twice_a_size + twice_b_size;
+  const double p_2_padded = p_2_size + 2.004168360008973e-292;
+  const double s_2_abs = fabs(s->m2), twice_d_size = KSL_MUL(s_2_abs, p_2_padded),
+      twice_e_size = twice_c_size + twice_d_size;
+  const double L_0_padded = L_0_size + 2.004168360008973e-292;
+  const double s_3_abs = fabs(s->m3), twice_f_size = KSL_MUL(s_3_abs, L_0_padded);
+  const double L_1_padded = L_1_size + 2.004168360008973e-292;
+  const double s_4_abs = fabs(s->m4), twice_g_size = KSL_MUL(s_4_abs, L_1_padded),
+      twice_h_size = twice_f_size + twice_g_size;
+  const double L_2_padded = L_2_size + 2.004168360008973e-292;
+  const double s_5_abs = fabs(s->m5), twice_i_size = KSL_MUL(s_5_abs, L_2_padded),
+      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const double twice_padded = twice_size + 2.004168360008973e-292;
+  const double energy_size = KSL_MUL(0.5, twice_padded);
+  const double energy_padded = energy_size + 2.004168360008973e-292,
+      energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
+  *energy_bound = energy_error_bound;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+     inf or NaN.
+   t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+     yy, zz, xy, xz, yz in kg m^2).
+   42 mul, 54 add, 15 abs. */
+static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
+  const double mt_0 = KSL_MUL(t->x, B->m);
+  const double mt_1 = KSL_MUL(t->y, B->m);
+  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = B->h.x + half_0;
+  const double n_1 = B->h.y + half_1;
+  const double n_2 = B->h.z + half_2;
+  const double tn0 = KSL_MUL(t->x, n_0);
+  const double tn1 = KSL_MUL(t->y, n_1);
+  const double tn2 = KSL_MUL(t->z, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = B->h.x + mt_0;
+  const double moved_1 = B->h.y + mt_1;
+  const double moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0;
+  const double Bo_5 = B->yy + pairs_1;
+  const double Bo_6 = B->zz + pairs_2;
+  const double Bo_7 = B->xy - pairs_3;
+  const double Bo_8 = B->xz - pairs_4;
+  const double Bo_9 = B->yz - pairs_5;
+  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
+  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
+  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
+  const double B_1_abs = fabs(B->h.x), n_0_size = B_1_abs + half_0_size;
+  const double B_2_abs = fabs(B->h.y), n_1_size = B_2_abs + half_1_size;
+  const double B_3_abs = fabs(B->h.z), n_2_size = B_3_abs + half_2_size;
+  const double n_0_padded = n_0_size + 2.004168360008973e-292;
+  const double t_0_abs = fabs(t->x), tn0_size = KSL_MUL(t_0_abs, n_0_padded);
+  const double n_1_padded = n_1_size + 2.004168360008973e-292;
+  const double t_1_abs = fabs(t->y), tn1_size = KSL_MUL(t_1_abs, n_1_padded);
+  const double n_2_padded = n_2_size + 2.004168360008973e-292;
+  const double t_2_abs = fabs(t->z), tn2_size = KSL_MUL(t_2_abs, n_2_padded);
+  const double tn0_padded = tn0_size + 2.004168360008973e-292;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
+  const double tn1_padded = tn1_size + 2.004168360008973e-292;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
+  const double tn2_padded = tn2_size + 2.004168360008973e-292;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
+  const double pairs_0_size = own_1_size + own_2_size;
+  const double pairs_1_size = own_0_size + own_2_size;
+  const double pairs_2_size = own_0_size + own_1_size;
+  const double pairs_3a_size = KSL_MUL(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double moved_0_size = B_1_abs + mt_0_abs;
+  const double moved_1_size = B_2_abs + mt_1_abs;
+  const double moved_2_size = B_3_abs + mt_2_abs;
+  const double B_4_abs = fabs(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
+  const double B_5_abs = fabs(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
+  const double B_6_abs = fabs(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
+  const double B_7_abs = fabs(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
+  const double B_8_abs = fabs(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
+  const double B_9_abs = fabs(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
+      moved_0_error_bound = KSL_MUL(2.2204460492503136e-16, moved_0_padded);
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
+      moved_1_error_bound = KSL_MUL(2.2204460492503136e-16, moved_1_padded);
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
+      moved_2_error_bound = KSL_MUL(2.2204460492503136e-16, moved_2_padded);
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = KSL_MUL(7.7715611723761e-16, Bo_4_padded);
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = KSL_MUL(7.7715611723761e-16, Bo_5_padded);
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = KSL_MUL(7.7715611723761e-16, Bo_6_padded);
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = KSL_MUL(6.661338147750942e-16, Bo_7_padded);
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = KSL_MUL(6.661338147750942e-16, Bo_8_padded);
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = KSL_MUL(6.661338147750942e-16, Bo_9_padded);
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
+     Bo_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   114 mul, 135 add, 51 abs. */
+static inline void ksl_spatial_inertia_transformed_certified(const ksl_SE3_t *D,
+    const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
+    ksl_spatial_inertia_t *Bo_bound) {
+  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
+      turned_1 = turned_1c + turned_1d;
+  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
+      turned_2 = turned_2c + turned_2d;
+  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
+      turned_3 = turned_3c + turned_3d;
+  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
+      turned_4 = turned_4c + turned_4d;
+  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
+      turned_5 = turned_5c + turned_5d;
+  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
+      turned_6 = turned_6c + turned_6d;
+  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
+      turned_7 = turned_7c + turned_7d;
+  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
+      turned_8 = turned_8c + turned_8d;
+  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
+      turned_9 = turned_9c + turned_9d;
+  const double mt_0 = KSL_MUL(D->m03, B->m);
+  const double mt_1 = KSL_MUL(D->m13, B->m);
+  const double mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0);
+  const double half_1 = KSL_MUL(0.5, mt_1);
+  const double half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = turned_1 + half_0;
+  const double n_1 = turned_2 + half_1;
+  const double n_2 = turned_3 + half_2;
+  const double tn0 = KSL_MUL(D->m03, n_0);
+  const double tn1 = KSL_MUL(D->m13, n_1);
+  const double tn2 = KSL_MUL(D->m23, n_2);
+  const double own_0 = KSL_MUL(2.0, tn0);
+  const double own_1 = KSL_MUL(2.0, tn1);
+  const double own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2;
+  const double pairs_1 = own_0 + own_2;
+  const double pairs_2 = own_0 + own_1;
+  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const double moved_0 = turned_1 + mt_0;
+  const double moved_1 = turned_2 + mt_1;
+  const double moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0;
+  const double Bo_5 = turned_5 + pairs_1;
+  const double Bo_6 = turned_6 + pairs_2;
+  const double Bo_7 = turned_7 - pairs_3;
+  const double Bo_8 = turned_8 - pairs_4;
+  const double Bo_9 = turned_9 - pairs_5;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double turned_1a_abs = fabs(turned_1a), turned_1b_abs = fabs(turned_1b),
+      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabs(turned_1d),
+      turned_1_size = turned_1c_size + turned_1d_abs;
+  const double turned_2a_abs = fabs(turned_2a), turned_2b_abs = fabs(turned_2b),
+      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabs(turned_2d),
+      turned_2_size = turned_2c_size + turned_2d_abs;
+  const double turned_3a_abs = fabs(turned_3a), turned_3b_abs = fabs(turned_3b),
+      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabs(turned_3d),
+      turned_3_size = turned_3c_size + turned_3d_abs;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double D_00_abs = fabs(D->m00), turned_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double D_01_abs = fabs(D->m01), turned_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
+      turned_4c_size = turned_4a_size + turned_4b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double D_02_abs = fabs(D->m02), turned_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
+      turned_4_size = turned_4c_size + turned_4d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double D_10_abs = fabs(D->m10), turned_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double D_11_abs = fabs(D->m11), turned_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
+      turned_5c_size = turned_5a_size + turned_5b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double D_12_abs = fabs(D->m12), turned_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
+      turned_5_size = turned_5c_size + turned_5d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double D_20_abs = fabs(D->m20), turned_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double D_21_abs = fabs(D->m21), turned_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
+      turned_6c_size = turned_6a_size + turned_6b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double D_22_abs = fabs(D->m22), turned_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
+      turned_6_size = turned_6c_size + turned_6d_size;
+  const double turned_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MUL(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MUL(D_12_abs, RI_2_padded),
+      turned_7_size = turned_7c_size + turned_7d_size;
+  const double turned_8a_size = KSL_MUL(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MUL(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MUL(D_22_abs, RI_2_padded),
+      turned_8_size = turned_8c_size + turned_8d_size;
+  const double turned_9a_size = KSL_MUL(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MUL(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MUL(D_22_abs, RI_5_padded),
+      turned_9_size = turned_9c_size + turned_9d_size;
+  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
+  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
+  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
+  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
+  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
+  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
+  const double n_0_size = turned_1_size + half_0_size;
+  const double n_1_size = turned_2_size + half_1_size;
+  const double n_2_size = turned_3_size + half_2_size;
+  const double n_0_padded = n_0_size + 2.004168360008973e-292;
+  const double D_03_abs = fabs(D->m03), tn0_size = KSL_MUL(D_03_abs, n_0_padded);
+  const double n_1_padded = n_1_size + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13), tn1_size = KSL_MUL(D_13_abs, n_1_padded);
+  const double n_2_padded = n_2_size + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23), tn2_size = KSL_MUL(D_23_abs, n_2_padded);
+  const double tn0_padded = tn0_size + 2.004168360008973e-292;
+  const double own_0_size = KSL_MUL(2.0, tn0_padded);
+  const double tn1_padded = tn1_size + 2.004168360008973e-292;
+  const double own_1_size = KSL_MUL(2.0, tn1_padded);
+  const double tn2_padded = tn2_size + 2.004168360008973e-292;
+  const double own_2_size = KSL_MUL(2.0, tn2_padded);
+  const double pairs_0_size = own_1_size + own_2_size;
+  const double pairs_1_size = own_0_size + own_2_size;
+  const double pairs_2_size = own_0_size + own_1_size;
+  const double pairs_3a_size = KSL_MUL(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MUL(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const double pairs_4a_size = KSL_MUL(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MUL(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const double pairs_5a_size = KSL_MUL(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MUL(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const double moved_0_size = turned_1_size + mt_0_abs;
+  const double moved_1_size = turned_2_size + mt_1_abs;
+  const double moved_2_size = turned_3_size + mt_2_abs;
+  const double Bo_4_size = turned_4_size + pairs_0_size;
+  const double Bo_5_size = turned_5_size + pairs_1_size;
+  const double Bo_6_size = turned_6_size + pairs_2_size;
+  const double Bo_7_size = turned_7_size + pairs_3_size;
+  const double Bo_8_size = turned_8_size + pairs_4_size;
+  const double Bo_9_size = turned_9_size + pairs_5_size;
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
+      moved_0_error_bound = KSL_MUL(4.440892098500628e-16, moved_0_padded);
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
+      moved_1_error_bound = KSL_MUL(4.440892098500628e-16, moved_1_padded);
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
+      moved_2_error_bound = KSL_MUL(4.440892098500628e-16, moved_2_padded);
+  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
+      Bo_4_error_bound = KSL_MUL(8.881784197001258e-16, Bo_4_padded);
+  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
+      Bo_5_error_bound = KSL_MUL(8.881784197001258e-16, Bo_5_padded);
+  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
+      Bo_6_error_bound = KSL_MUL(8.881784197001258e-16, Bo_6_padded);
+  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
+      Bo_7_error_bound = KSL_MUL(7.7715611723761e-16, Bo_7_padded);
+  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
+      Bo_8_error_bound = KSL_MUL(7.7715611723761e-16, Bo_8_padded);
+  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
+      Bo_9_error_bound = KSL_MUL(7.7715611723761e-16, Bo_9_padded);
+  const double B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* self = a self; |error of self| <= self_bound unless inf or NaN.
+   self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+     xy, xz, yz in kg m^2); a: number.
+   20 mul, 10 add, 10 abs. */
+static inline void ksl_spatial_inertiaf_scale_certified(ksl_spatial_inertiaf_t *self,
+    const float a, ksl_spatial_inertiaf_t *self_bound) {
+  const float self_0_new = KSL_MULF(self->m, a);
+  const float self_1_new = KSL_MULF(self->h.x, a);
+  const float self_2_new = KSL_MULF(self->h.y, a);
+  const float self_3_new = KSL_MULF(self->h.z, a);
+  const float self_4_new = KSL_MULF(self->xx, a);
+  const float self_5_new = KSL_MULF(self->yy, a);
+  const float self_6_new = KSL_MULF(self->zz, a);
+  const float self_7_new = KSL_MULF(self->xy, a);
+  const float self_8_new = KSL_MULF(self->xz, a);
+  const float self_9_new = KSL_MULF(self->yz, a);
+  const float self_0_new_abs = fabsf(self_0_new),
+      self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
+      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
+  const float self_1_new_abs = fabsf(self_1_new),
+      self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
+      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
+  const float self_2_new_abs = fabsf(self_2_new),
+      self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
+      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
+  const float self_3_new_abs = fabsf(self_3_new),
+      self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
+      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
+  const float self_4_new_abs = fabsf(self_4_new),
+      self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
+      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
+  const float self_5_new_abs = fabsf(self_5_new),
+      self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
+      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
+  const float self_6_new_abs = fabsf(self_6_new),
+      self_6_new_padded = self_6_new_abs + 1.9721523e-31f,
+      self_6_new_error_bound = KSL_MULF(5.960465e-08f, self_6_new_padded);
+  const float self_7_new_abs = fabsf(self_7_new),
+      self_7_new_padded = self_7_new_abs + 1.9721523e-31f,
+      self_7_new_error_bound = KSL_MULF(5.960465e-08f, self_7_new_padded);
+  const float self_8_new_abs = fabsf(self_8_new),
+      self_8_new_padded = self_8_new_abs + 1.9721523e-31f,
+      self_8_new_error_bound = KSL_MULF(5.960465e-08f, self_8_new_padded);
+  const float self_9_new_abs = fabsf(self_9_new),
+      self_9_new_padded = self_9_new_abs + 1.9721523e-31f,
+      self_9_new_error_bound = KSL_MULF(5.960465e-08f, self_9_new_padded);
+  self->m = self_0_new;
+  self->h.x = self_1_new;
+  self->h.y = self_2_new;
+  self->h.z = self_3_new;
+  self->xx = self_4_new;
+  self->yy = self_5_new;
+  self->zz = self_6_new;
+  self->xy = self_7_new;
+  self->xz = self_8_new;
+  self->yz = self_9_new;
+  self_bound->m = self_0_new_error_bound;
+  self_bound->h.x = self_1_new_error_bound;
+  self_bound->h.y = self_2_new_error_bound;
+  self_bound->h.z = self_3_new_error_bound;
+  self_bound->xx = self_4_new_error_bound;
+  self_bound->yy = self_5_new_error_bound;
+  self_bound->zz = self_6_new_error_bound;
+  self_bound->xy = self_7_new_error_bound;
+  self_bound->xz = self_8_new_error_bound;
+  self_bound->yz = self_9_new_error_bound;
+}
+
+/* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_add_BBf_certified(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
+  const float Bo_0 = B1->m + B2->m;
+  const float Bo_1 = B1->h.x + B2->h.x;
+  const float Bo_2 = B1->h.y + B2->h.y;
+  const float Bo_3 = B1->h.z + B2->h.z;
+  const float Bo_4 = B1->xx + B2->xx;
+  const float Bo_5 = B1->yy + B2->yy;
+  const float Bo_6 = B1->zz + B2->zz;
+  const float Bo_7 = B1->xy + B2->xy;
+  const float Bo_8 = B1->xz + B2->xz;
+  const float Bo_9 = B1->yz + B2->yz;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
+   B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+     zz, xy, xz, yz in kg m^2).
+   10 mul, 10 add, 10 abs. */
+static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
+    const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
+  const float Bo_0 = B1->m - B2->m;
+  const float Bo_1 = B1->h.x - B2->h.x;
+  const float Bo_2 = B1->h.y - B2->h.y;
+  const float Bo_3 = B1->h.z - B2->h.z;
+  const float Bo_4 = B1->xx - B2->xx;
+  const float Bo_5 = B1->yy - B2->yy;
+  const float Bo_6 = B1->zz - B2->zz;
+  const float Bo_7 = B1->xy - B2->xy;
+  const float Bo_8 = B1->xz - B2->xz;
+  const float Bo_9 = B1->yz - B2->yz;
+  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
+  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
+  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
+  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
+  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
+  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
+  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
+  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
+  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
+  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
+  Bo->m = Bo_0;
+  Bo->h.x = Bo_1;
+  Bo->h.y = Bo_2;
+  Bo->h.z = Bo_3;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = Bo_0_error_bound;
+  Bo_bound->h.x = Bo_1_error_bound;
+  Bo_bound->h.y = Bo_2_error_bound;
+  Bo_bound->h.z = Bo_3_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
+   m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
+     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   24 mul, 27 add, 12 abs. */
+static inline void ksl_spatial_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
+    const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
+  const float h_0 = KSL_MULF(m, com->x);
+  const float h_1 = KSL_MULF(m, com->y);
+  const float h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0);
+  const float squares_1 = KSL_MULF(com->y, h_1);
+  const float squares_2 = KSL_MULF(com->z, h_2);
+  const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
+  const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
+  const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
+  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
+  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
+  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
+  const float h_0_abs = fabsf(h_0), h_0_padded = h_0_abs + 1.9721523e-31f;
+  const float com_0_abs = fabsf(com->x), squares_0_size = KSL_MULF(com_0_abs, h_0_padded);
+  const float h_1_abs = fabsf(h_1), h_1_padded = h_1_abs + 1.9721523e-31f;
+  const float com_1_abs = fabsf(com->y), squares_1_size = KSL_MULF(com_1_abs, h_1_padded);
+  const float h_2_abs = fabsf(h_2), h_2_padded = h_2_abs + 1.9721523e-31f;
+  const float com_2_abs = fabsf(com->z), squares_2_size = KSL_MULF(com_2_abs, h_2_padded);
+  const float Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabsf(Ic->m00),
+      Bo_4_size = Ic_00_abs + Bo_4a_size;
+  const float Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabsf(Ic->m11),
+      Bo_5_size = Ic_11_abs + Bo_5a_size;
+  const float Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabsf(Ic->m22),
+      Bo_6_size = Ic_22_abs + Bo_6a_size;
+  const float Bo_7a_size = KSL_MULF(com_1_abs, h_0_padded), Ic_01_abs = fabsf(Ic->m01),
+      Bo_7_size = Ic_01_abs + Bo_7a_size;
+  const float Bo_8a_size = KSL_MULF(com_2_abs, h_0_padded), Ic_02_abs = fabsf(Ic->m02),
+      Bo_8_size = Ic_02_abs + Bo_8a_size;
+  const float Bo_9a_size = KSL_MULF(com_2_abs, h_1_padded), Ic_12_abs = fabsf(Ic->m12),
+      Bo_9_size = Ic_12_abs + Bo_9a_size;
+  const float h_0_error_bound = KSL_MULF(5.960465e-08f, h_0_padded);
+  const float h_1_error_bound = KSL_MULF(5.960465e-08f, h_1_padded);
+  const float h_2_error_bound = KSL_MULF(5.960465e-08f, h_2_padded);
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = KSL_MULF(2.3841864e-07f, Bo_4_padded);
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = KSL_MULF(2.3841864e-07f, Bo_5_padded);
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = KSL_MULF(2.3841864e-07f, Bo_6_padded);
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = KSL_MULF(1.7881396e-07f, Bo_7_padded);
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = KSL_MULF(1.7881396e-07f, Bo_8_padded);
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = KSL_MULF(1.7881396e-07f, Bo_9_padded);
+  Bo->m = m;
+  Bo->h.x = h_0;
+  Bo->h.y = h_1;
+  Bo->h.z = h_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = h_0_error_bound;
+  Bo_bound->h.y = h_1_error_bound;
+  Bo_bound->h.z = h_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
+     <= co_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   30 mul, 42 add, 24 abs. */
+static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
+  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
+      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
+      co_3 = co_3c + co_3h;
+  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
+      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
+      co_4 = co_4c + co_4h;
+  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
+      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
+      co_5 = co_5c + co_5h;
+  const float co_0b_abs = fabsf(co_0b), co_0c_abs = fabsf(co_0c),
+      co_0d_size = co_0b_abs + co_0c_abs, co_0a_abs = fabsf(co_0a),
+      co_0_size = co_0a_abs + co_0d_size;
+  const float co_1b_abs = fabsf(co_1b), co_1c_abs = fabsf(co_1c),
+      co_1d_size = co_1b_abs + co_1c_abs, co_1a_abs = fabsf(co_1a),
+      co_1_size = co_1a_abs + co_1d_size;
+  const float co_2b_abs = fabsf(co_2b), co_2c_abs = fabsf(co_2c),
+      co_2d_size = co_2b_abs + co_2c_abs, co_2a_abs = fabsf(co_2a),
+      co_2_size = co_2a_abs + co_2d_size;
+  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
+      co_3c_size = co_3a_abs + co_3b_abs, co_3d_abs = fabsf(co_3d), co_3e_abs = fabsf(co_3e),
+      co_3f_size = co_3d_abs + co_3e_abs, co_3g_abs = fabsf(co_3g),
+      co_3h_size = co_3f_size + co_3g_abs, co_3_size = co_3c_size + co_3h_size;
+  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
+      co_4c_size = co_4a_abs + co_4b_abs, co_4d_abs = fabsf(co_4d), co_4e_abs = fabsf(co_4e),
+      co_4f_size = co_4d_abs + co_4e_abs, co_4g_abs = fabsf(co_4g),
+      co_4h_size = co_4f_size + co_4g_abs, co_4_size = co_4c_size + co_4h_size;
+  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
+      co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d), co_5e_abs = fabsf(co_5e),
+      co_5f_size = co_5d_abs + co_5e_abs, co_5g_abs = fabsf(co_5g),
+      co_5h_size = co_5f_size + co_5g_abs, co_5_size = co_5c_size + co_5h_size;
+  const float co_0_padded = co_0_size + 1.9721523e-31f,
+      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
+  const float co_1_padded = co_1_size + 1.9721523e-31f,
+      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
+  const float co_2_padded = co_2_size + 1.9721523e-31f,
+      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
+  const float co_3_padded = co_3_size + 1.9721523e-31f,
+      co_3_error_bound = KSL_MULF(2.3841864e-07f, co_3_padded);
+  const float co_4_padded = co_4_size + 1.9721523e-31f,
+      co_4_error_bound = KSL_MULF(2.3841864e-07f, co_4_padded);
+  const float co_5_padded = co_5_size + 1.9721523e-31f,
+      co_5_error_bound = KSL_MULF(2.3841864e-07f, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
+}
+
+/* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
+     energy_bound unless inf or NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
+   39 mul, 45 add, 24 abs. */
+static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_screwf_t *s, float *energy_bound) {
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const float twice_across_0 = KSL_MULF(2.0f, across_0);
+  const float twice_across_1 = KSL_MULF(2.0f, across_1);
+  const float twice_across_2 = KSL_MULF(2.0f, across_2);
+  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
+  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
+  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
+  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
+      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
+      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
+      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
+  const float energy = KSL_MULF(0.5f, twice);
+  const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
+      across_0_size = across_0a_abs + across_0b_abs;
+  const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
+      across_1_size = across_1a_abs + across_1b_abs;
+  const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
+      across_2_size = across_2a_abs + across_2b_abs;
+  const float across_0_padded = across_0_size + 1.9721523e-31f;
+  const float twice_across_0_size = KSL_MULF(2.0f, across_0_padded);
+  const float across_1_padded = across_1_size + 1.9721523e-31f;
+  const float twice_across_1_size = KSL_MULF(2.0f, across_1_padded);
+  const float across_2_padded = across_2_size + 1.9721523e-31f;
+  const float twice_across_2_size = KSL_MULF(2.0f, across_2_padded);
+  const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
+  const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
+  const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
+  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const float p_0_padded = p_0_size + 1.9721523e-31f;
+  const float s_0_abs = fabsf(s->m0), twice_a_size = KSL_MULF(s_0_abs, p_0_padded);
+  const float p_1_padded = p_1_size + 1.9721523e-31f;
+  const float s_1_abs = fabsf(s->m1), twice_b_size = KSL_MULF(s_1_abs, p_1_padded),
+      twice_c_size = twice_a_size + twice_b_size;
+  const float p_2_padded = p_2_size + 1.9721523e-31f;
+  const float s_2_abs = fabsf(s->m2), twice_d_size = KSL_MULF(s_2_abs, p_2_padded),
+      twice_e_size = twice_c_size + twice_d_size;
+  const float L_0_padded = L_0_size + 1.9721523e-31f;
+  const float s_3_abs = fabsf(s->m3), twice_f_size = KSL_MULF(s_3_abs, L_0_padded);
+  const float L_1_padded = L_1_size + 1.9721523e-31f;
+  const float s_4_abs = fabsf(s->m4), twice_g_size = KSL_MULF(s_4_abs, L_1_padded),
+      twice_h_size = twice_f_size + twice_g_size;
+  const float L_2_padded = L_2_size + 1.9721523e-31f;
+  const float s_5_abs = fabsf(s->m5), twice_i_size = KSL_MULF(s_5_abs, L_2_padded),
+      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const float twice_padded = twice_size + 1.9721523e-31f;
+  const float energy_size = KSL_MULF(0.5f, twice_padded);
+  const float energy_padded = energy_size + 1.9721523e-31f,
+      energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
+  *energy_bound = energy_error_bound;
+  return energy;
+}
+
+/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+     inf or NaN.
+   t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+     yy, zz, xy, xz, yz in kg m^2).
+   42 mul, 54 add, 15 abs. */
+static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
+  const float mt_0 = KSL_MULF(t->x, B->m);
+  const float mt_1 = KSL_MULF(t->y, B->m);
+  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = B->h.x + half_0;
+  const float n_1 = B->h.y + half_1;
+  const float n_2 = B->h.z + half_2;
+  const float tn0 = KSL_MULF(t->x, n_0);
+  const float tn1 = KSL_MULF(t->y, n_1);
+  const float tn2 = KSL_MULF(t->z, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = B->h.x + mt_0;
+  const float moved_1 = B->h.y + mt_1;
+  const float moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0;
+  const float Bo_5 = B->yy + pairs_1;
+  const float Bo_6 = B->zz + pairs_2;
+  const float Bo_7 = B->xy - pairs_3;
+  const float Bo_8 = B->xz - pairs_4;
+  const float Bo_9 = B->yz - pairs_5;
+  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
+  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
+  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
+  const float B_1_abs = fabsf(B->h.x), n_0_size = B_1_abs + half_0_size;
+  const float B_2_abs = fabsf(B->h.y), n_1_size = B_2_abs + half_1_size;
+  const float B_3_abs = fabsf(B->h.z), n_2_size = B_3_abs + half_2_size;
+  const float n_0_padded = n_0_size + 1.9721523e-31f;
+  const float t_0_abs = fabsf(t->x), tn0_size = KSL_MULF(t_0_abs, n_0_padded);
+  const float n_1_padded = n_1_size + 1.9721523e-31f;
+  const float t_1_abs = fabsf(t->y), tn1_size = KSL_MULF(t_1_abs, n_1_padded);
+  const float n_2_padded = n_2_size + 1.9721523e-31f;
+  const float t_2_abs = fabsf(t->z), tn2_size = KSL_MULF(t_2_abs, n_2_padded);
+  const float tn0_padded = tn0_size + 1.9721523e-31f;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
+  const float tn1_padded = tn1_size + 1.9721523e-31f;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
+  const float tn2_padded = tn2_size + 1.9721523e-31f;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
+  const float pairs_0_size = own_1_size + own_2_size;
+  const float pairs_1_size = own_0_size + own_2_size;
+  const float pairs_2_size = own_0_size + own_1_size;
+  const float pairs_3a_size = KSL_MULF(t_0_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(t_0_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(t_1_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float moved_0_size = B_1_abs + mt_0_abs;
+  const float moved_1_size = B_2_abs + mt_1_abs;
+  const float moved_2_size = B_3_abs + mt_2_abs;
+  const float B_4_abs = fabsf(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
+  const float B_5_abs = fabsf(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
+  const float B_6_abs = fabsf(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
+  const float B_7_abs = fabsf(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
+  const float B_8_abs = fabsf(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
+  const float B_9_abs = fabsf(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
+      moved_0_error_bound = KSL_MULF(1.192093e-07f, moved_0_padded);
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
+      moved_1_error_bound = KSL_MULF(1.192093e-07f, moved_1_padded);
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
+      moved_2_error_bound = KSL_MULF(1.192093e-07f, moved_2_padded);
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = KSL_MULF(4.1723263e-07f, Bo_4_padded);
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = KSL_MULF(4.1723263e-07f, Bo_5_padded);
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = KSL_MULF(4.1723263e-07f, Bo_6_padded);
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = KSL_MULF(3.5762795e-07f, Bo_7_padded);
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = KSL_MULF(3.5762795e-07f, Bo_8_padded);
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = KSL_MULF(3.5762795e-07f, Bo_9_padded);
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
+     Bo_bound unless inf or NaN.
+   D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
+     c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+   114 mul, 135 add, 51 abs. */
+static inline void ksl_spatial_inertiaf_transformed_certified(const ksl_SE3f_t *D,
+    const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
+    ksl_spatial_inertiaf_t *Bo_bound) {
+  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
+      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
+      turned_1 = turned_1c + turned_1d;
+  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
+      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
+      turned_2 = turned_2c + turned_2d;
+  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
+      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
+      turned_3 = turned_3c + turned_3d;
+  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
+      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
+      turned_4 = turned_4c + turned_4d;
+  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
+      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
+      turned_5 = turned_5c + turned_5d;
+  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
+      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
+      turned_6 = turned_6c + turned_6d;
+  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
+      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
+      turned_7 = turned_7c + turned_7d;
+  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
+      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
+      turned_8 = turned_8c + turned_8d;
+  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
+      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
+      turned_9 = turned_9c + turned_9d;
+  const float mt_0 = KSL_MULF(D->m03, B->m);
+  const float mt_1 = KSL_MULF(D->m13, B->m);
+  const float mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0);
+  const float half_1 = KSL_MULF(0.5f, mt_1);
+  const float half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = turned_1 + half_0;
+  const float n_1 = turned_2 + half_1;
+  const float n_2 = turned_3 + half_2;
+  const float tn0 = KSL_MULF(D->m03, n_0);
+  const float tn1 = KSL_MULF(D->m13, n_1);
+  const float tn2 = KSL_MULF(D->m23, n_2);
+  const float own_0 = KSL_MULF(2.0f, tn0);
+  const float own_1 = KSL_MULF(2.0f, tn1);
+  const float own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2;
+  const float pairs_1 = own_0 + own_2;
+  const float pairs_2 = own_0 + own_1;
+  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
+      pairs_3 = pairs_3a + pairs_3b;
+  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
+      pairs_4 = pairs_4a + pairs_4b;
+  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
+      pairs_5 = pairs_5a + pairs_5b;
+  const float moved_0 = turned_1 + mt_0;
+  const float moved_1 = turned_2 + mt_1;
+  const float moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0;
+  const float Bo_5 = turned_5 + pairs_1;
+  const float Bo_6 = turned_6 + pairs_2;
+  const float Bo_7 = turned_7 - pairs_3;
+  const float Bo_8 = turned_8 - pairs_4;
+  const float Bo_9 = turned_9 - pairs_5;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float turned_1a_abs = fabsf(turned_1a), turned_1b_abs = fabsf(turned_1b),
+      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabsf(turned_1d),
+      turned_1_size = turned_1c_size + turned_1d_abs;
+  const float turned_2a_abs = fabsf(turned_2a), turned_2b_abs = fabsf(turned_2b),
+      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabsf(turned_2d),
+      turned_2_size = turned_2c_size + turned_2d_abs;
+  const float turned_3a_abs = fabsf(turned_3a), turned_3b_abs = fabsf(turned_3b),
+      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabsf(turned_3d),
+      turned_3_size = turned_3c_size + turned_3d_abs;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float D_00_abs = fabsf(D->m00), turned_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float D_01_abs = fabsf(D->m01), turned_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
+      turned_4c_size = turned_4a_size + turned_4b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float D_02_abs = fabsf(D->m02), turned_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
+      turned_4_size = turned_4c_size + turned_4d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float D_10_abs = fabsf(D->m10), turned_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float D_11_abs = fabsf(D->m11), turned_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
+      turned_5c_size = turned_5a_size + turned_5b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float D_12_abs = fabsf(D->m12), turned_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
+      turned_5_size = turned_5c_size + turned_5d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float D_20_abs = fabsf(D->m20), turned_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float D_21_abs = fabsf(D->m21), turned_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
+      turned_6c_size = turned_6a_size + turned_6b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float D_22_abs = fabsf(D->m22), turned_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
+      turned_6_size = turned_6c_size + turned_6d_size;
+  const float turned_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
+      turned_7b_size = KSL_MULF(D_11_abs, RI_1_padded),
+      turned_7c_size = turned_7a_size + turned_7b_size,
+      turned_7d_size = KSL_MULF(D_12_abs, RI_2_padded),
+      turned_7_size = turned_7c_size + turned_7d_size;
+  const float turned_8a_size = KSL_MULF(D_20_abs, RI_0_padded),
+      turned_8b_size = KSL_MULF(D_21_abs, RI_1_padded),
+      turned_8c_size = turned_8a_size + turned_8b_size,
+      turned_8d_size = KSL_MULF(D_22_abs, RI_2_padded),
+      turned_8_size = turned_8c_size + turned_8d_size;
+  const float turned_9a_size = KSL_MULF(D_20_abs, RI_3_padded),
+      turned_9b_size = KSL_MULF(D_21_abs, RI_4_padded),
+      turned_9c_size = turned_9a_size + turned_9b_size,
+      turned_9d_size = KSL_MULF(D_22_abs, RI_5_padded),
+      turned_9_size = turned_9c_size + turned_9d_size;
+  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
+  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
+  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
+  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
+  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
+  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
+  const float n_0_size = turned_1_size + half_0_size;
+  const float n_1_size = turned_2_size + half_1_size;
+  const float n_2_size = turned_3_size + half_2_size;
+  const float n_0_padded = n_0_size + 1.9721523e-31f;
+  const float D_03_abs = fabsf(D->m03), tn0_size = KSL_MULF(D_03_abs, n_0_padded);
+  const float n_1_padded = n_1_size + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13), tn1_size = KSL_MULF(D_13_abs, n_1_padded);
+  const float n_2_padded = n_2_size + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23), tn2_size = KSL_MULF(D_23_abs, n_2_padded);
+  const float tn0_padded = tn0_size + 1.9721523e-31f;
+  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
+  const float tn1_padded = tn1_size + 1.9721523e-31f;
+  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
+  const float tn2_padded = tn2_size + 1.9721523e-31f;
+  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
+  const float pairs_0_size = own_1_size + own_2_size;
+  const float pairs_1_size = own_0_size + own_2_size;
+  const float pairs_2_size = own_0_size + own_1_size;
+  const float pairs_3a_size = KSL_MULF(D_03_abs, n_1_padded),
+      pairs_3b_size = KSL_MULF(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
+  const float pairs_4a_size = KSL_MULF(D_03_abs, n_2_padded),
+      pairs_4b_size = KSL_MULF(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
+  const float pairs_5a_size = KSL_MULF(D_13_abs, n_2_padded),
+      pairs_5b_size = KSL_MULF(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
+  const float moved_0_size = turned_1_size + mt_0_abs;
+  const float moved_1_size = turned_2_size + mt_1_abs;
+  const float moved_2_size = turned_3_size + mt_2_abs;
+  const float Bo_4_size = turned_4_size + pairs_0_size;
+  const float Bo_5_size = turned_5_size + pairs_1_size;
+  const float Bo_6_size = turned_6_size + pairs_2_size;
+  const float Bo_7_size = turned_7_size + pairs_3_size;
+  const float Bo_8_size = turned_8_size + pairs_4_size;
+  const float Bo_9_size = turned_9_size + pairs_5_size;
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
+      moved_0_error_bound = KSL_MULF(2.3841864e-07f, moved_0_padded);
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
+      moved_1_error_bound = KSL_MULF(2.3841864e-07f, moved_1_padded);
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
+      moved_2_error_bound = KSL_MULF(2.3841864e-07f, moved_2_padded);
+  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
+      Bo_4_error_bound = KSL_MULF(4.7683733e-07f, Bo_4_padded);
+  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
+      Bo_5_error_bound = KSL_MULF(4.7683733e-07f, Bo_5_padded);
+  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
+      Bo_6_error_bound = KSL_MULF(4.7683733e-07f, Bo_6_padded);
+  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
+      Bo_7_error_bound = KSL_MULF(4.1723263e-07f, Bo_7_padded);
+  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
+      Bo_8_error_bound = KSL_MULF(4.1723263e-07f, Bo_8_padded);
+  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
+      Bo_9_error_bound = KSL_MULF(4.1723263e-07f, Bo_9_padded);
+  const float B_m = B->m;
+  Bo->m = B_m;
+  Bo->h.x = moved_0;
+  Bo->h.y = moved_1;
+  Bo->h.z = moved_2;
+  Bo->xx = Bo_4;
+  Bo->yy = Bo_5;
+  Bo->zz = Bo_6;
+  Bo->xy = Bo_7;
+  Bo->xz = Bo_8;
+  Bo->yz = Bo_9;
+  Bo_bound->m = 0.0f;
+  Bo_bound->h.x = moved_0_error_bound;
+  Bo_bound->h.y = moved_1_error_bound;
+  Bo_bound->h.z = moved_2_error_bound;
+  Bo_bound->xx = Bo_4_error_bound;
+  Bo_bound->yy = Bo_5_error_bound;
+  Bo_bound->zz = Bo_6_error_bound;
+  Bo_bound->xy = Bo_7_error_bound;
+  Bo_bound->xz = Bo_8_error_bound;
+  Bo_bound->yz = Bo_9_error_bound;
+}
+
+#endif

@@ -1,0 +1,1545 @@
+# Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+"""Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
+
+In double precision, accurate tier.
+"""
+
+from numpy import where
+from coscrew._exact import product_error, product_rest
+from coscrew._kernel import double_kernel as kernel
+
+
+@kernel("(10),()->(10)")
+def spatial_inertia_scale(self, a):
+    """self = a self.
+
+    (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+    zz, xy, xz, yz in kg m^2); a: number.
+    10 mul, 10 add, 10 product error.  Error <= u |result|, barring over- and underflow.
+    """
+    self_0, self_1, self_2, self_3, self_4, self_5, self_6, self_7, self_8, self_9 = self
+    self_0_new = self_0 * a
+    self_1_new = self_1 * a
+    self_2_new = self_2 * a
+    self_3_new = self_3 * a
+    self_4_new = self_4 * a
+    self_5_new = self_5 * a
+    self_6_new = self_6 * a
+    self_7_new = self_7 * a
+    self_8_new = self_8 * a
+    self_9_new = self_9 * a
+    self_0_new_rounded = self_0_new + product_error(self_0, a, self_0_new)
+    self_1_new_rounded = self_1_new + product_error(self_1, a, self_1_new)
+    self_2_new_rounded = self_2_new + product_error(self_2, a, self_2_new)
+    self_3_new_rounded = self_3_new + product_error(self_3, a, self_3_new)
+    self_4_new_rounded = self_4_new + product_error(self_4, a, self_4_new)
+    self_5_new_rounded = self_5_new + product_error(self_5, a, self_5_new)
+    self_6_new_rounded = self_6_new + product_error(self_6, a, self_6_new)
+    self_7_new_rounded = self_7_new + product_error(self_7, a, self_7_new)
+    self_8_new_rounded = self_8_new + product_error(self_8, a, self_8_new)
+    self_9_new_rounded = self_9_new + product_error(self_9, a, self_9_new)
+    return (self_0_new_rounded, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded,
+        self_4_new_rounded, self_5_new_rounded, self_6_new_rounded, self_7_new_rounded,
+        self_8_new_rounded, self_9_new_rounded)
+
+
+@kernel("(10),(10)->(10)")
+def add_BB(B1, B2):
+    """Bo = B1 + B2.
+
+    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2).
+    70 add.  Error <= u |result|, barring over- and underflow.
+    """
+    B1_0, B1_1, B1_2, B1_3, B1_4, B1_5, B1_6, B1_7, B1_8, B1_9 = B1
+    B2_0, B2_1, B2_2, B2_3, B2_4, B2_5, B2_6, B2_7, B2_8, B2_9 = B2
+    Bo_0 = B1_0 + B2_0
+    Bo_0_right = Bo_0 - B1_0
+    Bo_1 = B1_1 + B2_1
+    Bo_1_right = Bo_1 - B1_1
+    Bo_2 = B1_2 + B2_2
+    Bo_2_right = Bo_2 - B1_2
+    Bo_3 = B1_3 + B2_3
+    Bo_3_right = Bo_3 - B1_3
+    Bo_4 = B1_4 + B2_4
+    Bo_4_right = Bo_4 - B1_4
+    Bo_5 = B1_5 + B2_5
+    Bo_5_right = Bo_5 - B1_5
+    Bo_6 = B1_6 + B2_6
+    Bo_6_right = Bo_6 - B1_6
+    Bo_7 = B1_7 + B2_7
+    Bo_7_right = Bo_7 - B1_7
+    Bo_8 = B1_8 + B2_8
+    Bo_8_right = Bo_8 - B1_8
+    Bo_9 = B1_9 + B2_9
+    Bo_9_right = Bo_9 - B1_9
+    Bo_0_rounded = Bo_0 + (B1_0 - (Bo_0 - Bo_0_right) + (B2_0 - Bo_0_right))
+    Bo_1_rounded = Bo_1 + (B1_1 - (Bo_1 - Bo_1_right) + (B2_1 - Bo_1_right))
+    Bo_2_rounded = Bo_2 + (B1_2 - (Bo_2 - Bo_2_right) + (B2_2 - Bo_2_right))
+    Bo_3_rounded = Bo_3 + (B1_3 - (Bo_3 - Bo_3_right) + (B2_3 - Bo_3_right))
+    Bo_4_rounded = Bo_4 + (B1_4 - (Bo_4 - Bo_4_right) + (B2_4 - Bo_4_right))
+    Bo_5_rounded = Bo_5 + (B1_5 - (Bo_5 - Bo_5_right) + (B2_5 - Bo_5_right))
+    Bo_6_rounded = Bo_6 + (B1_6 - (Bo_6 - Bo_6_right) + (B2_6 - Bo_6_right))
+    Bo_7_rounded = Bo_7 + (B1_7 - (Bo_7 - Bo_7_right) + (B2_7 - Bo_7_right))
+    Bo_8_rounded = Bo_8 + (B1_8 - (Bo_8 - Bo_8_right) + (B2_8 - Bo_8_right))
+    Bo_9_rounded = Bo_9 + (B1_9 - (Bo_9 - Bo_9_right) + (B2_9 - Bo_9_right))
+    return (Bo_0_rounded, Bo_1_rounded, Bo_2_rounded, Bo_3_rounded, Bo_4_rounded, Bo_5_rounded,
+        Bo_6_rounded, Bo_7_rounded, Bo_8_rounded, Bo_9_rounded)
+
+
+@kernel("(10),(10)->(10)")
+def subtract_BB(B1, B2):
+    """Bo = B1 - B2.
+
+    (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2).
+    70 add.  Error <= u |result|, barring over- and underflow.
+    """
+    B1_0, B1_1, B1_2, B1_3, B1_4, B1_5, B1_6, B1_7, B1_8, B1_9 = B1
+    B2_0, B2_1, B2_2, B2_3, B2_4, B2_5, B2_6, B2_7, B2_8, B2_9 = B2
+    Bo_0 = B1_0 - B2_0
+    Bo_0_right = B1_0 - Bo_0
+    Bo_1 = B1_1 - B2_1
+    Bo_1_right = B1_1 - Bo_1
+    Bo_2 = B1_2 - B2_2
+    Bo_2_right = B1_2 - Bo_2
+    Bo_3 = B1_3 - B2_3
+    Bo_3_right = B1_3 - Bo_3
+    Bo_4 = B1_4 - B2_4
+    Bo_4_right = B1_4 - Bo_4
+    Bo_5 = B1_5 - B2_5
+    Bo_5_right = B1_5 - Bo_5
+    Bo_6 = B1_6 - B2_6
+    Bo_6_right = B1_6 - Bo_6
+    Bo_7 = B1_7 - B2_7
+    Bo_7_right = B1_7 - Bo_7
+    Bo_8 = B1_8 - B2_8
+    Bo_8_right = B1_8 - Bo_8
+    Bo_9 = B1_9 - B2_9
+    Bo_9_right = B1_9 - Bo_9
+    Bo_0_rounded = Bo_0 + (B1_0 - (Bo_0 + Bo_0_right) - (B2_0 - Bo_0_right))
+    Bo_1_rounded = Bo_1 + (B1_1 - (Bo_1 + Bo_1_right) - (B2_1 - Bo_1_right))
+    Bo_2_rounded = Bo_2 + (B1_2 - (Bo_2 + Bo_2_right) - (B2_2 - Bo_2_right))
+    Bo_3_rounded = Bo_3 + (B1_3 - (Bo_3 + Bo_3_right) - (B2_3 - Bo_3_right))
+    Bo_4_rounded = Bo_4 + (B1_4 - (Bo_4 + Bo_4_right) - (B2_4 - Bo_4_right))
+    Bo_5_rounded = Bo_5 + (B1_5 - (Bo_5 + Bo_5_right) - (B2_5 - Bo_5_right))
+    Bo_6_rounded = Bo_6 + (B1_6 - (Bo_6 + Bo_6_right) - (B2_6 - Bo_6_right))
+    Bo_7_rounded = Bo_7 + (B1_7 - (Bo_7 + Bo_7_right) - (B2_7 - Bo_7_right))
+    Bo_8_rounded = Bo_8 + (B1_8 - (Bo_8 + Bo_8_right) - (B2_8 - Bo_8_right))
+    Bo_9_rounded = Bo_9 + (B1_9 - (Bo_9 + Bo_9_right) - (B2_9 - Bo_9_right))
+    return (Bo_0_rounded, Bo_1_rounded, Bo_2_rounded, Bo_3_rounded, Bo_4_rounded, Bo_5_rounded,
+        Bo_6_rounded, Bo_7_rounded, Bo_8_rounded, Bo_9_rounded)
+
+
+@kernel("(),(3),(3,3)->(10)")
+def spatial_inertia_from_com(m, com, Ic):
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
+    the upper triangle): h = m com, I = Ic - m com~ com~.
+
+    (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
+    inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    15 mul, 66 add, 3 product error, 9 product rest.  Error <= u |result| + (m: 0, h: 0, I: 15)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    com_0, com_1, com_2 = com
+    Ic_00, Ic_01, Ic_02, Ic_10, Ic_11, Ic_12, Ic_20, Ic_21, Ic_22 = Ic
+    h_0 = m * com_0
+    h_1 = m * com_1
+    h_2 = m * com_2
+    h_0_lo = product_error(m, com_0, h_0)
+    squares_0 = com_0 * h_0
+    squares_0_cross2 = com_0 * h_0_lo
+    h_1_lo = product_error(m, com_1, h_1)
+    squares_1 = com_1 * h_1
+    squares_1_cross2 = com_1 * h_1_lo
+    h_2_lo = product_error(m, com_2, h_2)
+    squares_2 = com_2 * h_2
+    squares_2_cross2 = com_2 * h_2_lo
+    Bo_4a = squares_1 + squares_2
+    Bo_4a_right = Bo_4a - squares_1
+    Bo_4a_left_rest = product_rest(com_1, h_1, squares_1, Bo_4a - Bo_4a_right)
+    Bo_4a_lo1 = Bo_4a_left_rest + product_rest(com_2, h_2, squares_2, Bo_4a_right)
+    Bo_4a_lo = Bo_4a_lo1 + (squares_1_cross2 + squares_2_cross2)
+    Bo_4 = Ic_00 + Bo_4a
+    Bo_4_right = Bo_4 - Ic_00
+    Bo_4_lo1 = Ic_00 - (Bo_4 - Bo_4_right) + (Bo_4a - Bo_4_right)
+    Bo_4_lo = Bo_4_lo1 + Bo_4a_lo
+    Bo_5a = squares_0 + squares_2
+    Bo_5a_right = Bo_5a - squares_0
+    Bo_5a_left_rest = product_rest(com_0, h_0, squares_0, Bo_5a - Bo_5a_right)
+    Bo_5a_lo1 = Bo_5a_left_rest + product_rest(com_2, h_2, squares_2, Bo_5a_right)
+    Bo_5a_lo = Bo_5a_lo1 + (squares_0_cross2 + squares_2_cross2)
+    Bo_5 = Ic_11 + Bo_5a
+    Bo_5_right = Bo_5 - Ic_11
+    Bo_5_lo1 = Ic_11 - (Bo_5 - Bo_5_right) + (Bo_5a - Bo_5_right)
+    Bo_5_lo = Bo_5_lo1 + Bo_5a_lo
+    Bo_6a = squares_0 + squares_1
+    Bo_6a_right = Bo_6a - squares_0
+    Bo_6a_left_rest = product_rest(com_0, h_0, squares_0, Bo_6a - Bo_6a_right)
+    Bo_6a_lo1 = Bo_6a_left_rest + product_rest(com_1, h_1, squares_1, Bo_6a_right)
+    Bo_6a_lo = Bo_6a_lo1 + (squares_0_cross2 + squares_1_cross2)
+    Bo_6 = Ic_22 + Bo_6a
+    Bo_6_right = Bo_6 - Ic_22
+    Bo_6_lo1 = Ic_22 - (Bo_6 - Bo_6_right) + (Bo_6a - Bo_6_right)
+    Bo_6_lo = Bo_6_lo1 + Bo_6a_lo
+    Bo_7a = com_1 * h_0
+    Bo_7 = Ic_01 - Bo_7a
+    Bo_7_right = Ic_01 - Bo_7
+    Bo_7_lo1 = Ic_01 - (Bo_7 + Bo_7_right) - product_rest(com_1, h_0, Bo_7a, Bo_7_right)
+    Bo_7_lo = Bo_7_lo1 - com_1 * h_0_lo
+    Bo_8a = com_2 * h_0
+    Bo_8 = Ic_02 - Bo_8a
+    Bo_8_right = Ic_02 - Bo_8
+    Bo_8_lo1 = Ic_02 - (Bo_8 + Bo_8_right) - product_rest(com_2, h_0, Bo_8a, Bo_8_right)
+    Bo_8_lo = Bo_8_lo1 - com_2 * h_0_lo
+    Bo_9a = com_2 * h_1
+    Bo_9 = Ic_12 - Bo_9a
+    Bo_9_right = Ic_12 - Bo_9
+    Bo_9_lo1 = Ic_12 - (Bo_9 + Bo_9_right) - product_rest(com_2, h_1, Bo_9a, Bo_9_right)
+    Bo_9_lo = Bo_9_lo1 - com_2 * h_1_lo
+    h_0_rounded = h_0 + h_0_lo
+    h_1_rounded = h_1 + h_1_lo
+    h_2_rounded = h_2 + h_2_lo
+    Bo_4_rounded = Bo_4 + Bo_4_lo
+    Bo_5_rounded = Bo_5 + Bo_5_lo
+    Bo_6_rounded = Bo_6 + Bo_6_lo
+    Bo_7_rounded = Bo_7 + Bo_7_lo
+    Bo_8_rounded = Bo_8 + Bo_8_lo
+    Bo_9_rounded = Bo_9 + Bo_9_lo
+    return (m, h_0_rounded, h_1_rounded, h_2_rounded, Bo_4_rounded, Bo_5_rounded, Bo_6_rounded,
+        Bo_7_rounded, Bo_8_rounded, Bo_9_rounded)
+
+
+@kernel("(10)->(10)")
+def spatial_inertia_from_inertia(J):
+    """Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m;
+    not a number where m = 0.
+
+    (10)->(10).  J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
+    zz, xy, yz, zx in kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the
+    origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.  Error of a
+    moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow.
+    """
+    J_0, J_1, J_2, J_3, J_4, J_5, J_6, J_7, J_8, J_9 = J
+    c_0 = J_1 / J_0
+    c_0_product = c_0 * J_0
+    c_1 = J_2 / J_0
+    c_1_product = c_1 * J_0
+    c_1_lo = (J_2 - c_1_product - product_error(c_1, J_0, c_1_product)) / J_0
+    c_2 = J_3 / J_0
+    c_2_product = c_2 * J_0
+    c_2_lo = (J_3 - c_2_product - product_error(c_2, J_0, c_2_product)) / J_0
+    squares_0 = J_1 * c_0
+    squares_0_cross2 = J_1 * ((J_1 - c_0_product - product_error(c_0, J_0, c_0_product)) / J_0)
+    squares_1 = J_2 * c_1
+    squares_1_cross2 = J_2 * c_1_lo
+    squares_2 = J_3 * c_2
+    squares_2_cross2 = J_3 * c_2_lo
+    Bo_4a = squares_1 + squares_2
+    Bo_4a_right = Bo_4a - squares_1
+    Bo_4a_left_rest = product_rest(J_2, c_1, squares_1, Bo_4a - Bo_4a_right)
+    Bo_4a_lo1 = Bo_4a_left_rest + product_rest(J_3, c_2, squares_2, Bo_4a_right)
+    Bo_4a_lo = Bo_4a_lo1 + (squares_1_cross2 + squares_2_cross2)
+    Bo_4 = J_4 + Bo_4a
+    Bo_4_right = Bo_4 - J_4
+    Bo_4_lo = J_4 - (Bo_4 - Bo_4_right) + (Bo_4a - Bo_4_right) + Bo_4a_lo
+    Bo_5a = squares_0 + squares_2
+    Bo_5a_right = Bo_5a - squares_0
+    Bo_5a_left_rest = product_rest(J_1, c_0, squares_0, Bo_5a - Bo_5a_right)
+    Bo_5a_lo1 = Bo_5a_left_rest + product_rest(J_3, c_2, squares_2, Bo_5a_right)
+    Bo_5a_lo = Bo_5a_lo1 + (squares_0_cross2 + squares_2_cross2)
+    Bo_5 = J_5 + Bo_5a
+    Bo_5_right = Bo_5 - J_5
+    Bo_5_lo = J_5 - (Bo_5 - Bo_5_right) + (Bo_5a - Bo_5_right) + Bo_5a_lo
+    Bo_6a = squares_0 + squares_1
+    Bo_6a_right = Bo_6a - squares_0
+    Bo_6a_left_rest = product_rest(J_1, c_0, squares_0, Bo_6a - Bo_6a_right)
+    Bo_6a_lo1 = Bo_6a_left_rest + product_rest(J_2, c_1, squares_1, Bo_6a_right)
+    Bo_6a_lo = Bo_6a_lo1 + (squares_0_cross2 + squares_1_cross2)
+    Bo_6 = J_6 + Bo_6a
+    Bo_6_right = Bo_6 - J_6
+    Bo_6_lo = J_6 - (Bo_6 - Bo_6_right) + (Bo_6a - Bo_6_right) + Bo_6a_lo
+    Bo_7a = J_1 * c_1
+    Bo_7 = J_7 - Bo_7a
+    Bo_7_right = J_7 - Bo_7
+    Bo_7_lo = J_7 - (Bo_7 + Bo_7_right) - product_rest(J_1, c_1, Bo_7a, Bo_7_right) - J_1 * c_1_lo
+    Bo_8a = J_1 * c_2
+    Bo_8 = J_9 - Bo_8a
+    Bo_8_right = J_9 - Bo_8
+    Bo_8_lo = J_9 - (Bo_8 + Bo_8_right) - product_rest(J_1, c_2, Bo_8a, Bo_8_right) - J_1 * c_2_lo
+    Bo_9a = J_2 * c_2
+    Bo_9 = J_8 - Bo_9a
+    Bo_9_right = J_8 - Bo_9
+    Bo_9_lo = J_8 - (Bo_9 + Bo_9_right) - product_rest(J_2, c_2, Bo_9a, Bo_9_right) - J_2 * c_2_lo
+    Bo_4_rounded = Bo_4 + Bo_4_lo
+    Bo_5_rounded = Bo_5 + Bo_5_lo
+    Bo_6_rounded = Bo_6 + Bo_6_lo
+    Bo_7_rounded = Bo_7 + Bo_7_lo
+    Bo_8_rounded = Bo_8 + Bo_8_lo
+    Bo_9_rounded = Bo_9 + Bo_9_lo
+    return (J_0, J_1, J_2, J_3, where(Bo_4_rounded == Bo_4_rounded, Bo_4_rounded, Bo_4),
+        where(Bo_5_rounded == Bo_5_rounded, Bo_5_rounded, Bo_5),
+        where(Bo_6_rounded == Bo_6_rounded, Bo_6_rounded, Bo_6),
+        where(Bo_7_rounded == Bo_7_rounded, Bo_7_rounded, Bo_7),
+        where(Bo_8_rounded == Bo_8_rounded, Bo_8_rounded, Bo_8),
+        where(Bo_9_rounded == Bo_9_rounded, Bo_9_rounded, Bo_9))
+
+
+@kernel("(10)->(10)")
+def inertia_from_spatial_inertia(B):
+    """Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m;
+    not a number where m = 0.
+
+    (10)->(10).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
+    xx, yy, zz, xy, yz, zx in kg m^2).
+    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.  Error of a
+    moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    c_0 = B_1 / B_0
+    c_0_product = c_0 * B_0
+    c_1 = B_2 / B_0
+    c_1_product = c_1 * B_0
+    c_1_lo = (B_2 - c_1_product - product_error(c_1, B_0, c_1_product)) / B_0
+    c_2 = B_3 / B_0
+    c_2_product = c_2 * B_0
+    c_2_lo = (B_3 - c_2_product - product_error(c_2, B_0, c_2_product)) / B_0
+    squares_0 = B_1 * c_0
+    squares_0_cross2 = B_1 * ((B_1 - c_0_product - product_error(c_0, B_0, c_0_product)) / B_0)
+    squares_1 = B_2 * c_1
+    squares_1_cross2 = B_2 * c_1_lo
+    squares_2 = B_3 * c_2
+    squares_2_cross2 = B_3 * c_2_lo
+    Jo_4a = squares_1 + squares_2
+    Jo_4a_right = Jo_4a - squares_1
+    Jo_4a_left_rest = product_rest(B_2, c_1, squares_1, Jo_4a - Jo_4a_right)
+    Jo_4a_lo1 = Jo_4a_left_rest + product_rest(B_3, c_2, squares_2, Jo_4a_right)
+    Jo_4a_lo = Jo_4a_lo1 + (squares_1_cross2 + squares_2_cross2)
+    Jo_4 = B_4 - Jo_4a
+    Jo_4_right = B_4 - Jo_4
+    Jo_4_lo = B_4 - (Jo_4 + Jo_4_right) - (Jo_4a - Jo_4_right) - Jo_4a_lo
+    Jo_5a = squares_0 + squares_2
+    Jo_5a_right = Jo_5a - squares_0
+    Jo_5a_left_rest = product_rest(B_1, c_0, squares_0, Jo_5a - Jo_5a_right)
+    Jo_5a_lo1 = Jo_5a_left_rest + product_rest(B_3, c_2, squares_2, Jo_5a_right)
+    Jo_5a_lo = Jo_5a_lo1 + (squares_0_cross2 + squares_2_cross2)
+    Jo_5 = B_5 - Jo_5a
+    Jo_5_right = B_5 - Jo_5
+    Jo_5_lo = B_5 - (Jo_5 + Jo_5_right) - (Jo_5a - Jo_5_right) - Jo_5a_lo
+    Jo_6a = squares_0 + squares_1
+    Jo_6a_right = Jo_6a - squares_0
+    Jo_6a_left_rest = product_rest(B_1, c_0, squares_0, Jo_6a - Jo_6a_right)
+    Jo_6a_lo1 = Jo_6a_left_rest + product_rest(B_2, c_1, squares_1, Jo_6a_right)
+    Jo_6a_lo = Jo_6a_lo1 + (squares_0_cross2 + squares_1_cross2)
+    Jo_6 = B_6 - Jo_6a
+    Jo_6_right = B_6 - Jo_6
+    Jo_6_lo = B_6 - (Jo_6 + Jo_6_right) - (Jo_6a - Jo_6_right) - Jo_6a_lo
+    Jo_7a = B_1 * c_1
+    Jo_7 = Jo_7a + B_7
+    Jo_7_right = Jo_7 - Jo_7a
+    Jo_7_lo = product_rest(B_1, c_1, Jo_7a, Jo_7 - Jo_7_right) + (B_7 - Jo_7_right) + B_1 * c_1_lo
+    Jo_8a = B_2 * c_2
+    Jo_8 = Jo_8a + B_9
+    Jo_8_right = Jo_8 - Jo_8a
+    Jo_8_lo = product_rest(B_2, c_2, Jo_8a, Jo_8 - Jo_8_right) + (B_9 - Jo_8_right) + B_2 * c_2_lo
+    Jo_9a = B_1 * c_2
+    Jo_9 = Jo_9a + B_8
+    Jo_9_right = Jo_9 - Jo_9a
+    Jo_9_lo = product_rest(B_1, c_2, Jo_9a, Jo_9 - Jo_9_right) + (B_8 - Jo_9_right) + B_1 * c_2_lo
+    Jo_4_rounded = Jo_4 + Jo_4_lo
+    Jo_5_rounded = Jo_5 + Jo_5_lo
+    Jo_6_rounded = Jo_6 + Jo_6_lo
+    Jo_7_rounded = Jo_7 + Jo_7_lo
+    Jo_8_rounded = Jo_8 + Jo_8_lo
+    Jo_9_rounded = Jo_9 + Jo_9_lo
+    return (B_0, B_1, B_2, B_3, where(Jo_4_rounded == Jo_4_rounded, Jo_4_rounded, Jo_4),
+        where(Jo_5_rounded == Jo_5_rounded, Jo_5_rounded, Jo_5),
+        where(Jo_6_rounded == Jo_6_rounded, Jo_6_rounded, Jo_6),
+        where(Jo_7_rounded == Jo_7_rounded, Jo_7_rounded, Jo_7),
+        where(Jo_8_rounded == Jo_8_rounded, Jo_8_rounded, Jo_8),
+        where(Jo_9_rounded == Jo_9_rounded, Jo_9_rounded, Jo_9))
+
+
+@kernel("(10)->(3)")
+def spatial_inertia_com(B):
+    """vo = h / m, the centre of mass in m.
+
+    (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); vo: vector.
+    3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.  Error <= u |result|, barring over-
+    and underflow.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    vo_0 = B_1 / B_0
+    vo_0_product = vo_0 * B_0
+    vo_1 = B_2 / B_0
+    vo_1_product = vo_1 * B_0
+    vo_2 = B_3 / B_0
+    vo_2_product = vo_2 * B_0
+    vo_0_rounded = vo_0 + (B_1 - vo_0_product - product_error(vo_0, B_0, vo_0_product)) / B_0
+    vo_1_rounded = vo_1 + (B_2 - vo_1_product - product_error(vo_1, B_0, vo_1_product)) / B_0
+    vo_2_rounded = vo_2 + (B_3 - vo_2_product - product_error(vo_2, B_0, vo_2_product)) / B_0
+    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
+        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
+        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2))
+
+
+@kernel("(10)->(3,3)")
+def spatial_inertia_about_com(B):
+    """Ro = I + h~ h~ / m, the second moments about the centre of mass.
+
+    (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); Ro: rotation or other 3×3 matrix.
+    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    c_0 = B_1 / B_0
+    c_0_product = c_0 * B_0
+    c_1 = B_2 / B_0
+    c_1_product = c_1 * B_0
+    c_1_lo = (B_2 - c_1_product - product_error(c_1, B_0, c_1_product)) / B_0
+    c_2 = B_3 / B_0
+    c_2_product = c_2 * B_0
+    c_2_lo = (B_3 - c_2_product - product_error(c_2, B_0, c_2_product)) / B_0
+    squares_0 = B_1 * c_0
+    squares_0_cross2 = B_1 * ((B_1 - c_0_product - product_error(c_0, B_0, c_0_product)) / B_0)
+    squares_1 = B_2 * c_1
+    squares_1_cross2 = B_2 * c_1_lo
+    squares_2 = B_3 * c_2
+    squares_2_cross2 = B_3 * c_2_lo
+    about_0a = squares_1 + squares_2
+    about_0a_right = about_0a - squares_1
+    about_0a_left_rest = product_rest(B_2, c_1, squares_1, about_0a - about_0a_right)
+    about_0a_lo1 = about_0a_left_rest + product_rest(B_3, c_2, squares_2, about_0a_right)
+    about_0a_lo = about_0a_lo1 + (squares_1_cross2 + squares_2_cross2)
+    about_0 = B_4 - about_0a
+    about_0_right = B_4 - about_0
+    about_0_lo1 = B_4 - (about_0 + about_0_right) - (about_0a - about_0_right)
+    about_0_lo = about_0_lo1 - about_0a_lo
+    about_1a = squares_0 + squares_2
+    about_1a_right = about_1a - squares_0
+    about_1a_left_rest = product_rest(B_1, c_0, squares_0, about_1a - about_1a_right)
+    about_1a_lo1 = about_1a_left_rest + product_rest(B_3, c_2, squares_2, about_1a_right)
+    about_1a_lo = about_1a_lo1 + (squares_0_cross2 + squares_2_cross2)
+    about_1 = B_5 - about_1a
+    about_1_right = B_5 - about_1
+    about_1_lo1 = B_5 - (about_1 + about_1_right) - (about_1a - about_1_right)
+    about_1_lo = about_1_lo1 - about_1a_lo
+    about_2a = squares_0 + squares_1
+    about_2a_right = about_2a - squares_0
+    about_2a_left_rest = product_rest(B_1, c_0, squares_0, about_2a - about_2a_right)
+    about_2a_lo1 = about_2a_left_rest + product_rest(B_2, c_1, squares_1, about_2a_right)
+    about_2a_lo = about_2a_lo1 + (squares_0_cross2 + squares_1_cross2)
+    about_2 = B_6 - about_2a
+    about_2_right = B_6 - about_2
+    about_2_lo1 = B_6 - (about_2 + about_2_right) - (about_2a - about_2_right)
+    about_2_lo = about_2_lo1 - about_2a_lo
+    about_3a = B_1 * c_1
+    about_3 = about_3a + B_7
+    about_3_right = about_3 - about_3a
+    about_3_lo1 = product_rest(B_1, c_1, about_3a, about_3 - about_3_right) + (B_7 - about_3_right)
+    about_3_lo = about_3_lo1 + B_1 * c_1_lo
+    about_4a = B_1 * c_2
+    about_4 = about_4a + B_8
+    about_4_right = about_4 - about_4a
+    about_4_lo1 = product_rest(B_1, c_2, about_4a, about_4 - about_4_right) + (B_8 - about_4_right)
+    about_4_lo = about_4_lo1 + B_1 * c_2_lo
+    about_5a = B_2 * c_2
+    about_5 = about_5a + B_9
+    about_5_right = about_5 - about_5a
+    about_5_lo1 = product_rest(B_2, c_2, about_5a, about_5 - about_5_right) + (B_9 - about_5_right)
+    about_5_lo = about_5_lo1 + B_2 * c_2_lo
+    about_0_rounded = about_0 + about_0_lo
+    about_3_rounded = about_3 + about_3_lo
+    about_3_final = where(about_3_rounded == about_3_rounded, about_3_rounded, about_3)
+    about_4_rounded = about_4 + about_4_lo
+    about_4_final = where(about_4_rounded == about_4_rounded, about_4_rounded, about_4)
+    about_1_rounded = about_1 + about_1_lo
+    about_5_rounded = about_5 + about_5_lo
+    about_5_final = where(about_5_rounded == about_5_rounded, about_5_rounded, about_5)
+    about_2_rounded = about_2 + about_2_lo
+    return (where(about_0_rounded == about_0_rounded, about_0_rounded, about_0), about_3_final,
+        about_4_final, about_3_final,
+        where(about_1_rounded == about_1_rounded, about_1_rounded, about_1), about_5_final,
+        about_4_final, about_5_final,
+        where(about_2_rounded == about_2_rounded, about_2_rounded, about_2))
+
+
+@kernel("(10),(6)->(6)")
+def product_Bs(B, s):
+    """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
+
+    (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
+    zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+    24 mul, 102 add, 24 product rest.  Error <= u |result| + (lin: 11, ang: 19) u^2 S, S the sum
+    of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    s_0, s_1, s_2, s_3, s_4, s_5 = s
+    co_0a = B_0 * s_0
+    co_0b = B_3 * s_4
+    co_0c = B_2 * s_5
+    co_0d = co_0b - co_0c
+    co_0d_right = co_0b - co_0d
+    co_0d_left_rest = product_rest(B_3, s_4, co_0b, co_0d + co_0d_right)
+    co_0d_lo = co_0d_left_rest - product_rest(B_2, s_5, co_0c, co_0d_right)
+    co_0 = co_0a + co_0d
+    co_0_right = co_0 - co_0a
+    co_0_lo1 = product_rest(B_0, s_0, co_0a, co_0 - co_0_right) + (co_0d - co_0_right)
+    co_0_lo = co_0_lo1 + co_0d_lo
+    co_1a = B_0 * s_1
+    co_1b = B_1 * s_5
+    co_1c = B_3 * s_3
+    co_1d = co_1b - co_1c
+    co_1d_right = co_1b - co_1d
+    co_1d_left_rest = product_rest(B_1, s_5, co_1b, co_1d + co_1d_right)
+    co_1d_lo = co_1d_left_rest - product_rest(B_3, s_3, co_1c, co_1d_right)
+    co_1 = co_1a + co_1d
+    co_1_right = co_1 - co_1a
+    co_1_lo1 = product_rest(B_0, s_1, co_1a, co_1 - co_1_right) + (co_1d - co_1_right)
+    co_1_lo = co_1_lo1 + co_1d_lo
+    co_2a = B_0 * s_2
+    co_2b = B_2 * s_3
+    co_2c = B_1 * s_4
+    co_2d = co_2b - co_2c
+    co_2d_right = co_2b - co_2d
+    co_2d_left_rest = product_rest(B_2, s_3, co_2b, co_2d + co_2d_right)
+    co_2d_lo = co_2d_left_rest - product_rest(B_1, s_4, co_2c, co_2d_right)
+    co_2 = co_2a + co_2d
+    co_2_right = co_2 - co_2a
+    co_2_lo1 = product_rest(B_0, s_2, co_2a, co_2 - co_2_right) + (co_2d - co_2_right)
+    co_2_lo = co_2_lo1 + co_2d_lo
+    co_3a = B_2 * s_2
+    co_3b = B_3 * s_1
+    co_3c = co_3a - co_3b
+    co_3c_right = co_3a - co_3c
+    co_3c_left_rest = product_rest(B_2, s_2, co_3a, co_3c + co_3c_right)
+    co_3c_lo = co_3c_left_rest - product_rest(B_3, s_1, co_3b, co_3c_right)
+    co_3d = B_4 * s_3
+    co_3e = B_7 * s_4
+    co_3f = co_3d + co_3e
+    co_3f_right = co_3f - co_3d
+    co_3f_left_rest = product_rest(B_4, s_3, co_3d, co_3f - co_3f_right)
+    co_3f_lo = co_3f_left_rest + product_rest(B_7, s_4, co_3e, co_3f_right)
+    co_3g = B_8 * s_5
+    co_3h = co_3f + co_3g
+    co_3h_right = co_3h - co_3f
+    co_3h_lo1 = co_3f - (co_3h - co_3h_right) + product_rest(B_8, s_5, co_3g, co_3h_right)
+    co_3h_lo = co_3h_lo1 + co_3f_lo
+    co_3 = co_3c + co_3h
+    co_3_right = co_3 - co_3c
+    co_3_lo1 = co_3c - (co_3 - co_3_right) + (co_3h - co_3_right)
+    co_3_lo2 = co_3_lo1 + co_3h_lo
+    co_3_lo = co_3_lo2 + co_3c_lo
+    co_4a = B_3 * s_0
+    co_4b = B_1 * s_2
+    co_4c = co_4a - co_4b
+    co_4c_right = co_4a - co_4c
+    co_4c_left_rest = product_rest(B_3, s_0, co_4a, co_4c + co_4c_right)
+    co_4c_lo = co_4c_left_rest - product_rest(B_1, s_2, co_4b, co_4c_right)
+    co_4d = B_5 * s_4
+    co_4e = B_7 * s_3
+    co_4f = co_4d + co_4e
+    co_4f_right = co_4f - co_4d
+    co_4f_left_rest = product_rest(B_5, s_4, co_4d, co_4f - co_4f_right)
+    co_4f_lo = co_4f_left_rest + product_rest(B_7, s_3, co_4e, co_4f_right)
+    co_4g = B_9 * s_5
+    co_4h = co_4f + co_4g
+    co_4h_right = co_4h - co_4f
+    co_4h_lo1 = co_4f - (co_4h - co_4h_right) + product_rest(B_9, s_5, co_4g, co_4h_right)
+    co_4h_lo = co_4h_lo1 + co_4f_lo
+    co_4 = co_4c + co_4h
+    co_4_right = co_4 - co_4c
+    co_4_lo1 = co_4c - (co_4 - co_4_right) + (co_4h - co_4_right)
+    co_4_lo2 = co_4_lo1 + co_4h_lo
+    co_4_lo = co_4_lo2 + co_4c_lo
+    co_5a = B_1 * s_1
+    co_5b = B_2 * s_0
+    co_5c = co_5a - co_5b
+    co_5c_right = co_5a - co_5c
+    co_5c_left_rest = product_rest(B_1, s_1, co_5a, co_5c + co_5c_right)
+    co_5c_lo = co_5c_left_rest - product_rest(B_2, s_0, co_5b, co_5c_right)
+    co_5d = B_6 * s_5
+    co_5e = B_8 * s_3
+    co_5f = co_5d + co_5e
+    co_5f_right = co_5f - co_5d
+    co_5f_left_rest = product_rest(B_6, s_5, co_5d, co_5f - co_5f_right)
+    co_5f_lo = co_5f_left_rest + product_rest(B_8, s_3, co_5e, co_5f_right)
+    co_5g = B_9 * s_4
+    co_5h = co_5f + co_5g
+    co_5h_right = co_5h - co_5f
+    co_5h_lo1 = co_5f - (co_5h - co_5h_right) + product_rest(B_9, s_4, co_5g, co_5h_right)
+    co_5h_lo = co_5h_lo1 + co_5f_lo
+    co_5 = co_5c + co_5h
+    co_5_right = co_5 - co_5c
+    co_5_lo1 = co_5c - (co_5 - co_5_right) + (co_5h - co_5_right)
+    co_5_lo2 = co_5_lo1 + co_5h_lo
+    co_5_lo = co_5_lo2 + co_5c_lo
+    co_0_rounded = co_0 + co_0_lo
+    co_1_rounded = co_1 + co_1_lo
+    co_2_rounded = co_2 + co_2_lo
+    co_3_rounded = co_3 + co_3_lo
+    co_4_rounded = co_4 + co_4_lo
+    co_5_rounded = co_5 + co_5_lo
+    return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
+
+
+@kernel("(10),(6)->()")
+def spatial_inertia_energy(B, s):
+    """s·B s / 2, the kinetic energy in J of a body that moves with s.
+
+    (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
+    xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
+    38 mul, 155 add, 24 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    s_0, s_1, s_2, s_3, s_4, s_5 = s
+    across_0a = B_3 * s_4
+    across_0b = B_2 * s_5
+    across_0 = across_0a - across_0b
+    across_0_right = across_0a - across_0
+    across_0_left_rest = product_rest(B_3, s_4, across_0a, across_0 + across_0_right)
+    across_0_lo = across_0_left_rest - product_rest(B_2, s_5, across_0b, across_0_right)
+    across_1a = B_1 * s_5
+    across_1b = B_3 * s_3
+    across_1 = across_1a - across_1b
+    across_1_right = across_1a - across_1
+    across_1_left_rest = product_rest(B_1, s_5, across_1a, across_1 + across_1_right)
+    across_1_lo = across_1_left_rest - product_rest(B_3, s_3, across_1b, across_1_right)
+    across_2a = B_2 * s_3
+    across_2b = B_1 * s_4
+    across_2 = across_2a - across_2b
+    across_2_right = across_2a - across_2
+    across_2_left_rest = product_rest(B_2, s_3, across_2a, across_2 + across_2_right)
+    across_2_lo = across_2_left_rest - product_rest(B_1, s_4, across_2b, across_2_right)
+    twice_across_0_of_across_0 = across_0 + across_0_lo
+    twice_across_0_of_across_0_right = twice_across_0_of_across_0 - across_0
+    twice_across_0_of_across_0_left = twice_across_0_of_across_0 - twice_across_0_of_across_0_right
+    twice_across_0_of_across_0_left_rest = across_0 - twice_across_0_of_across_0_left
+    twice_across_0_of_across_0_right_rest = across_0_lo - twice_across_0_of_across_0_right
+    twice_across_0_of_across_0_lo = twice_across_0_of_across_0_left_rest + twice_across_0_of_across_0_right_rest
+    twice_across_0 = 2 * twice_across_0_of_across_0
+    twice_across_0_cross2 = 2 * twice_across_0_of_across_0_lo
+    twice_across_1_of_across_1 = across_1 + across_1_lo
+    twice_across_1_of_across_1_right = twice_across_1_of_across_1 - across_1
+    twice_across_1_of_across_1_left = twice_across_1_of_across_1 - twice_across_1_of_across_1_right
+    twice_across_1_of_across_1_left_rest = across_1 - twice_across_1_of_across_1_left
+    twice_across_1_of_across_1_right_rest = across_1_lo - twice_across_1_of_across_1_right
+    twice_across_1_of_across_1_lo = twice_across_1_of_across_1_left_rest + twice_across_1_of_across_1_right_rest
+    twice_across_1 = 2 * twice_across_1_of_across_1
+    twice_across_1_cross2 = 2 * twice_across_1_of_across_1_lo
+    twice_across_2_of_across_2 = across_2 + across_2_lo
+    twice_across_2_of_across_2_right = twice_across_2_of_across_2 - across_2
+    twice_across_2_of_across_2_left = twice_across_2_of_across_2 - twice_across_2_of_across_2_right
+    twice_across_2_of_across_2_left_rest = across_2 - twice_across_2_of_across_2_left
+    twice_across_2_of_across_2_right_rest = across_2_lo - twice_across_2_of_across_2_right
+    twice_across_2_of_across_2_lo = twice_across_2_of_across_2_left_rest + twice_across_2_of_across_2_right_rest
+    twice_across_2 = 2 * twice_across_2_of_across_2
+    twice_across_2_cross2 = 2 * twice_across_2_of_across_2_lo
+    p_0a = B_0 * s_0
+    p_0 = p_0a + twice_across_0
+    p_0_right = p_0 - p_0a
+    p_0_lo1 = product_rest(B_0, s_0, p_0a, p_0 - p_0_right) + (twice_across_0 - p_0_right)
+    p_0_lo = p_0_lo1 + twice_across_0_cross2
+    p_1a = B_0 * s_1
+    p_1 = p_1a + twice_across_1
+    p_1_right = p_1 - p_1a
+    p_1_lo1 = product_rest(B_0, s_1, p_1a, p_1 - p_1_right) + (twice_across_1 - p_1_right)
+    p_1_lo = p_1_lo1 + twice_across_1_cross2
+    p_2a = B_0 * s_2
+    p_2 = p_2a + twice_across_2
+    p_2_right = p_2 - p_2a
+    p_2_lo1 = product_rest(B_0, s_2, p_2a, p_2 - p_2_right) + (twice_across_2 - p_2_right)
+    p_2_lo = p_2_lo1 + twice_across_2_cross2
+    L_0a = B_4 * s_3
+    L_0b = B_7 * s_4
+    L_0c = L_0a + L_0b
+    L_0c_right = L_0c - L_0a
+    L_0c_left_rest = product_rest(B_4, s_3, L_0a, L_0c - L_0c_right)
+    L_0c_lo = L_0c_left_rest + product_rest(B_7, s_4, L_0b, L_0c_right)
+    L_0d = B_8 * s_5
+    L_0 = L_0c + L_0d
+    L_0_right = L_0 - L_0c
+    L_0_lo1 = L_0c - (L_0 - L_0_right) + product_rest(B_8, s_5, L_0d, L_0_right)
+    L_0_lo = L_0_lo1 + L_0c_lo
+    L_1a = B_5 * s_4
+    L_1b = B_7 * s_3
+    L_1c = L_1a + L_1b
+    L_1c_right = L_1c - L_1a
+    L_1c_left_rest = product_rest(B_5, s_4, L_1a, L_1c - L_1c_right)
+    L_1c_lo = L_1c_left_rest + product_rest(B_7, s_3, L_1b, L_1c_right)
+    L_1d = B_9 * s_5
+    L_1 = L_1c + L_1d
+    L_1_right = L_1 - L_1c
+    L_1_lo1 = L_1c - (L_1 - L_1_right) + product_rest(B_9, s_5, L_1d, L_1_right)
+    L_1_lo = L_1_lo1 + L_1c_lo
+    L_2a = B_6 * s_5
+    L_2b = B_8 * s_3
+    L_2c = L_2a + L_2b
+    L_2c_right = L_2c - L_2a
+    L_2c_left_rest = product_rest(B_6, s_5, L_2a, L_2c - L_2c_right)
+    L_2c_lo = L_2c_left_rest + product_rest(B_8, s_3, L_2b, L_2c_right)
+    L_2d = B_9 * s_4
+    L_2 = L_2c + L_2d
+    L_2_right = L_2 - L_2c
+    L_2_lo1 = L_2c - (L_2 - L_2_right) + product_rest(B_9, s_4, L_2d, L_2_right)
+    L_2_lo = L_2_lo1 + L_2c_lo
+    twice_a_of_p_0 = p_0 + p_0_lo
+    twice_a_of_p_0_right = twice_a_of_p_0 - p_0
+    twice_a_of_p_0_left_rest = p_0 - (twice_a_of_p_0 - twice_a_of_p_0_right)
+    twice_a_of_p_0_lo = twice_a_of_p_0_left_rest + (p_0_lo - twice_a_of_p_0_right)
+    twice_a = s_0 * twice_a_of_p_0
+    twice_a_cross2 = s_0 * twice_a_of_p_0_lo
+    twice_b_of_p_1 = p_1 + p_1_lo
+    twice_b_of_p_1_right = twice_b_of_p_1 - p_1
+    twice_b_of_p_1_left_rest = p_1 - (twice_b_of_p_1 - twice_b_of_p_1_right)
+    twice_b_of_p_1_lo = twice_b_of_p_1_left_rest + (p_1_lo - twice_b_of_p_1_right)
+    twice_b = s_1 * twice_b_of_p_1
+    twice_b_cross2 = s_1 * twice_b_of_p_1_lo
+    twice_c = twice_a + twice_b
+    twice_c_right = twice_c - twice_a
+    twice_c_left_rest = product_rest(s_0, twice_a_of_p_0, twice_a, twice_c - twice_c_right)
+    twice_c_cross = twice_a_cross2 + twice_b_cross2
+    twice_c_lo1 = twice_c_left_rest + product_rest(s_1, twice_b_of_p_1, twice_b, twice_c_right)
+    twice_c_lo = twice_c_lo1 + twice_c_cross
+    twice_d_of_p_2 = p_2 + p_2_lo
+    twice_d_of_p_2_right = twice_d_of_p_2 - p_2
+    twice_d_of_p_2_left_rest = p_2 - (twice_d_of_p_2 - twice_d_of_p_2_right)
+    twice_d_of_p_2_lo = twice_d_of_p_2_left_rest + (p_2_lo - twice_d_of_p_2_right)
+    twice_d = s_2 * twice_d_of_p_2
+    twice_d_cross2 = s_2 * twice_d_of_p_2_lo
+    twice_e = twice_c + twice_d
+    twice_e_right = twice_e - twice_c
+    twice_e_right_rest = product_rest(s_2, twice_d_of_p_2, twice_d, twice_e_right)
+    twice_e_lo1 = twice_c - (twice_e - twice_e_right) + twice_e_right_rest
+    twice_e_lo2 = twice_e_lo1 + twice_d_cross2
+    twice_e_lo = twice_e_lo2 + twice_c_lo
+    twice_f_of_L_0 = L_0 + L_0_lo
+    twice_f_of_L_0_right = twice_f_of_L_0 - L_0
+    twice_f_of_L_0_left_rest = L_0 - (twice_f_of_L_0 - twice_f_of_L_0_right)
+    twice_f_of_L_0_lo = twice_f_of_L_0_left_rest + (L_0_lo - twice_f_of_L_0_right)
+    twice_f = s_3 * twice_f_of_L_0
+    twice_f_cross2 = s_3 * twice_f_of_L_0_lo
+    twice_g_of_L_1 = L_1 + L_1_lo
+    twice_g_of_L_1_right = twice_g_of_L_1 - L_1
+    twice_g_of_L_1_left_rest = L_1 - (twice_g_of_L_1 - twice_g_of_L_1_right)
+    twice_g_of_L_1_lo = twice_g_of_L_1_left_rest + (L_1_lo - twice_g_of_L_1_right)
+    twice_g = s_4 * twice_g_of_L_1
+    twice_g_cross2 = s_4 * twice_g_of_L_1_lo
+    twice_h = twice_f + twice_g
+    twice_h_right = twice_h - twice_f
+    twice_h_left_rest = product_rest(s_3, twice_f_of_L_0, twice_f, twice_h - twice_h_right)
+    twice_h_cross = twice_f_cross2 + twice_g_cross2
+    twice_h_lo1 = twice_h_left_rest + product_rest(s_4, twice_g_of_L_1, twice_g, twice_h_right)
+    twice_h_lo = twice_h_lo1 + twice_h_cross
+    twice_i_of_L_2 = L_2 + L_2_lo
+    twice_i_of_L_2_right = twice_i_of_L_2 - L_2
+    twice_i_of_L_2_left_rest = L_2 - (twice_i_of_L_2 - twice_i_of_L_2_right)
+    twice_i_of_L_2_lo = twice_i_of_L_2_left_rest + (L_2_lo - twice_i_of_L_2_right)
+    twice_i = s_5 * twice_i_of_L_2
+    twice_i_cross2 = s_5 * twice_i_of_L_2_lo
+    twice_j = twice_h + twice_i
+    twice_j_right = twice_j - twice_h
+    twice_j_right_rest = product_rest(s_5, twice_i_of_L_2, twice_i, twice_j_right)
+    twice_j_lo1 = twice_h - (twice_j - twice_j_right) + twice_j_right_rest
+    twice_j_lo2 = twice_j_lo1 + twice_i_cross2
+    twice_j_lo = twice_j_lo2 + twice_h_lo
+    twice = twice_e + twice_j
+    twice_right = twice - twice_e
+    twice_lo1 = twice_e - (twice - twice_right) + (twice_j - twice_right)
+    twice_lo2 = twice_lo1 + twice_j_lo
+    twice_lo = twice_lo2 + twice_e_lo
+    energy_of_twice = twice + twice_lo
+    energy_of_twice_right = energy_of_twice - twice
+    energy_of_twice_left_rest = twice - (energy_of_twice - energy_of_twice_right)
+    energy_of_twice_lo = energy_of_twice_left_rest + (twice_lo - energy_of_twice_right)
+    energy = 0.5 * energy_of_twice
+    energy_cross2 = 0.5 * energy_of_twice_lo
+    energy_rounded = energy + energy_cross2
+    return energy_rounded
+
+
+@kernel("(3),(10)->(10)")
+def spatial_inertia_shifted(t, B):
+    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+
+    (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
+    origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    33 mul, 138 add, 6 product error, 6 product rest.  Error <= u |result| + (m: 0, h: 2, I: 20)
+    u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    t_0, t_1, t_2 = t
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    mt_0 = t_0 * B_0
+    mt_1 = t_1 * B_0
+    mt_2 = t_2 * B_0
+    mt_0_lo = product_error(t_0, B_0, mt_0)
+    half_0 = 0.5 * mt_0
+    mt_1_lo = product_error(t_1, B_0, mt_1)
+    half_1 = 0.5 * mt_1
+    mt_2_lo = product_error(t_2, B_0, mt_2)
+    half_2 = 0.5 * mt_2
+    n_0 = B_1 + half_0
+    n_0_right = n_0 - B_1
+    n_0_lo = B_1 - (n_0 - n_0_right) + (half_0 - n_0_right) + 0.5 * mt_0_lo
+    n_1 = B_2 + half_1
+    n_1_right = n_1 - B_2
+    n_1_lo = B_2 - (n_1 - n_1_right) + (half_1 - n_1_right) + 0.5 * mt_1_lo
+    n_2 = B_3 + half_2
+    n_2_right = n_2 - B_3
+    n_2_lo = B_3 - (n_2 - n_2_right) + (half_2 - n_2_right) + 0.5 * mt_2_lo
+    tn0 = t_0 * n_0
+    tn1 = t_1 * n_1
+    tn2 = t_2 * n_2
+    own_0 = 2 * tn0
+    own_0_cross2 = 2 * (product_error(t_0, n_0, tn0) + t_0 * n_0_lo)
+    own_1 = 2 * tn1
+    own_1_cross2 = 2 * (product_error(t_1, n_1, tn1) + t_1 * n_1_lo)
+    own_2 = 2 * tn2
+    own_2_cross2 = 2 * (product_error(t_2, n_2, tn2) + t_2 * n_2_lo)
+    pairs_0 = own_1 + own_2
+    pairs_0_right = pairs_0 - own_1
+    pairs_0_lo2 = own_1 - (pairs_0 - pairs_0_right) + (own_2 - pairs_0_right) + own_2_cross2
+    pairs_0_lo = pairs_0_lo2 + own_1_cross2
+    pairs_1 = own_0 + own_2
+    pairs_1_right = pairs_1 - own_0
+    pairs_1_lo2 = own_0 - (pairs_1 - pairs_1_right) + (own_2 - pairs_1_right) + own_2_cross2
+    pairs_1_lo = pairs_1_lo2 + own_0_cross2
+    pairs_2 = own_0 + own_1
+    pairs_2_right = pairs_2 - own_0
+    pairs_2_lo2 = own_0 - (pairs_2 - pairs_2_right) + (own_1 - pairs_2_right) + own_1_cross2
+    pairs_2_lo = pairs_2_lo2 + own_0_cross2
+    pairs_3a = t_0 * n_1
+    pairs_3b = t_1 * n_0
+    pairs_3 = pairs_3a + pairs_3b
+    pairs_3_right = pairs_3 - pairs_3a
+    pairs_3_left_rest = product_rest(t_0, n_1, pairs_3a, pairs_3 - pairs_3_right)
+    pairs_3_lo1 = pairs_3_left_rest + product_rest(t_1, n_0, pairs_3b, pairs_3_right)
+    pairs_3_lo = pairs_3_lo1 + (t_0 * n_1_lo + t_1 * n_0_lo)
+    pairs_4a = t_0 * n_2
+    pairs_4b = t_2 * n_0
+    pairs_4 = pairs_4a + pairs_4b
+    pairs_4_right = pairs_4 - pairs_4a
+    pairs_4_left_rest = product_rest(t_0, n_2, pairs_4a, pairs_4 - pairs_4_right)
+    pairs_4_lo1 = pairs_4_left_rest + product_rest(t_2, n_0, pairs_4b, pairs_4_right)
+    pairs_4_lo = pairs_4_lo1 + (t_0 * n_2_lo + t_2 * n_0_lo)
+    pairs_5a = t_1 * n_2
+    pairs_5b = t_2 * n_1
+    pairs_5 = pairs_5a + pairs_5b
+    pairs_5_right = pairs_5 - pairs_5a
+    pairs_5_left_rest = product_rest(t_1, n_2, pairs_5a, pairs_5 - pairs_5_right)
+    pairs_5_lo1 = pairs_5_left_rest + product_rest(t_2, n_1, pairs_5b, pairs_5_right)
+    pairs_5_lo = pairs_5_lo1 + (t_1 * n_2_lo + t_2 * n_1_lo)
+    moved_0 = B_1 + mt_0
+    moved_0_right = moved_0 - B_1
+    moved_1 = B_2 + mt_1
+    moved_1_right = moved_1 - B_2
+    moved_2 = B_3 + mt_2
+    moved_2_right = moved_2 - B_3
+    Bo_4 = B_4 + pairs_0
+    Bo_4_right = Bo_4 - B_4
+    Bo_4_lo1 = B_4 - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right)
+    Bo_4_lo = Bo_4_lo1 + pairs_0_lo
+    Bo_5 = B_5 + pairs_1
+    Bo_5_right = Bo_5 - B_5
+    Bo_5_lo1 = B_5 - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right)
+    Bo_5_lo = Bo_5_lo1 + pairs_1_lo
+    Bo_6 = B_6 + pairs_2
+    Bo_6_right = Bo_6 - B_6
+    Bo_6_lo1 = B_6 - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right)
+    Bo_6_lo = Bo_6_lo1 + pairs_2_lo
+    Bo_7 = B_7 - pairs_3
+    Bo_7_right = B_7 - Bo_7
+    Bo_7_lo1 = B_7 - (Bo_7 + Bo_7_right) - (pairs_3 - Bo_7_right)
+    Bo_7_lo = Bo_7_lo1 - pairs_3_lo
+    Bo_8 = B_8 - pairs_4
+    Bo_8_right = B_8 - Bo_8
+    Bo_8_lo1 = B_8 - (Bo_8 + Bo_8_right) - (pairs_4 - Bo_8_right)
+    Bo_8_lo = Bo_8_lo1 - pairs_4_lo
+    Bo_9 = B_9 - pairs_5
+    Bo_9_right = B_9 - Bo_9
+    Bo_9_lo1 = B_9 - (Bo_9 + Bo_9_right) - (pairs_5 - Bo_9_right)
+    Bo_9_lo = Bo_9_lo1 - pairs_5_lo
+    moved_0_rounded = moved_0 + (B_1 - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo)
+    moved_1_rounded = moved_1 + (B_2 - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo)
+    moved_2_rounded = moved_2 + (B_3 - (moved_2 - moved_2_right) + (mt_2 - moved_2_right) + mt_2_lo)
+    Bo_4_rounded = Bo_4 + Bo_4_lo
+    Bo_5_rounded = Bo_5 + Bo_5_lo
+    Bo_6_rounded = Bo_6 + Bo_6_lo
+    Bo_7_rounded = Bo_7 + Bo_7_lo
+    Bo_8_rounded = Bo_8 + Bo_8_lo
+    Bo_9_rounded = Bo_9 + Bo_9_lo
+    return (B_0, moved_0_rounded, moved_1_rounded, moved_2_rounded, Bo_4_rounded, Bo_5_rounded,
+        Bo_6_rounded, Bo_7_rounded, Bo_8_rounded, Bo_9_rounded)
+
+
+@kernel("(3,4),(10)->(10)")
+def spatial_inertia_transformed(D, B):
+    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+
+    (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
+    kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
+    105 mul, 420 add, 6 product error, 60 product rest.  Error <= u |result| + (m: 0, h: 16, I:
+    35) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    RI_0a = D_00 * B_4
+    RI_0b = D_01 * B_7
+    RI_0c = RI_0a + RI_0b
+    RI_0c_right = RI_0c - RI_0a
+    RI_0c_left_rest = product_rest(D_00, B_4, RI_0a, RI_0c - RI_0c_right)
+    RI_0c_lo = RI_0c_left_rest + product_rest(D_01, B_7, RI_0b, RI_0c_right)
+    RI_0d = D_02 * B_8
+    RI_0 = RI_0c + RI_0d
+    RI_0_right = RI_0 - RI_0c
+    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(D_02, B_8, RI_0d, RI_0_right)
+    RI_0_lo = RI_0_lo1 + RI_0c_lo
+    RI_1a = D_00 * B_7
+    RI_1b = D_01 * B_5
+    RI_1c = RI_1a + RI_1b
+    RI_1c_right = RI_1c - RI_1a
+    RI_1c_left_rest = product_rest(D_00, B_7, RI_1a, RI_1c - RI_1c_right)
+    RI_1c_lo = RI_1c_left_rest + product_rest(D_01, B_5, RI_1b, RI_1c_right)
+    RI_1d = D_02 * B_9
+    RI_1 = RI_1c + RI_1d
+    RI_1_right = RI_1 - RI_1c
+    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(D_02, B_9, RI_1d, RI_1_right)
+    RI_1_lo = RI_1_lo1 + RI_1c_lo
+    RI_2a = D_00 * B_8
+    RI_2b = D_01 * B_9
+    RI_2c = RI_2a + RI_2b
+    RI_2c_right = RI_2c - RI_2a
+    RI_2c_left_rest = product_rest(D_00, B_8, RI_2a, RI_2c - RI_2c_right)
+    RI_2c_lo = RI_2c_left_rest + product_rest(D_01, B_9, RI_2b, RI_2c_right)
+    RI_2d = D_02 * B_6
+    RI_2 = RI_2c + RI_2d
+    RI_2_right = RI_2 - RI_2c
+    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(D_02, B_6, RI_2d, RI_2_right)
+    RI_2_lo = RI_2_lo1 + RI_2c_lo
+    RI_3a = D_10 * B_4
+    RI_3b = D_11 * B_7
+    RI_3c = RI_3a + RI_3b
+    RI_3c_right = RI_3c - RI_3a
+    RI_3c_left_rest = product_rest(D_10, B_4, RI_3a, RI_3c - RI_3c_right)
+    RI_3c_lo = RI_3c_left_rest + product_rest(D_11, B_7, RI_3b, RI_3c_right)
+    RI_3d = D_12 * B_8
+    RI_3 = RI_3c + RI_3d
+    RI_3_right = RI_3 - RI_3c
+    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(D_12, B_8, RI_3d, RI_3_right)
+    RI_3_lo = RI_3_lo1 + RI_3c_lo
+    RI_4a = D_10 * B_7
+    RI_4b = D_11 * B_5
+    RI_4c = RI_4a + RI_4b
+    RI_4c_right = RI_4c - RI_4a
+    RI_4c_left_rest = product_rest(D_10, B_7, RI_4a, RI_4c - RI_4c_right)
+    RI_4c_lo = RI_4c_left_rest + product_rest(D_11, B_5, RI_4b, RI_4c_right)
+    RI_4d = D_12 * B_9
+    RI_4 = RI_4c + RI_4d
+    RI_4_right = RI_4 - RI_4c
+    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(D_12, B_9, RI_4d, RI_4_right)
+    RI_4_lo = RI_4_lo1 + RI_4c_lo
+    RI_5a = D_10 * B_8
+    RI_5b = D_11 * B_9
+    RI_5c = RI_5a + RI_5b
+    RI_5c_right = RI_5c - RI_5a
+    RI_5c_left_rest = product_rest(D_10, B_8, RI_5a, RI_5c - RI_5c_right)
+    RI_5c_lo = RI_5c_left_rest + product_rest(D_11, B_9, RI_5b, RI_5c_right)
+    RI_5d = D_12 * B_6
+    RI_5 = RI_5c + RI_5d
+    RI_5_right = RI_5 - RI_5c
+    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(D_12, B_6, RI_5d, RI_5_right)
+    RI_5_lo = RI_5_lo1 + RI_5c_lo
+    RI_6a = D_20 * B_4
+    RI_6b = D_21 * B_7
+    RI_6c = RI_6a + RI_6b
+    RI_6c_right = RI_6c - RI_6a
+    RI_6c_left_rest = product_rest(D_20, B_4, RI_6a, RI_6c - RI_6c_right)
+    RI_6c_lo = RI_6c_left_rest + product_rest(D_21, B_7, RI_6b, RI_6c_right)
+    RI_6d = D_22 * B_8
+    RI_6 = RI_6c + RI_6d
+    RI_6_right = RI_6 - RI_6c
+    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(D_22, B_8, RI_6d, RI_6_right)
+    RI_6_lo = RI_6_lo1 + RI_6c_lo
+    RI_7a = D_20 * B_7
+    RI_7b = D_21 * B_5
+    RI_7c = RI_7a + RI_7b
+    RI_7c_right = RI_7c - RI_7a
+    RI_7c_left_rest = product_rest(D_20, B_7, RI_7a, RI_7c - RI_7c_right)
+    RI_7c_lo = RI_7c_left_rest + product_rest(D_21, B_5, RI_7b, RI_7c_right)
+    RI_7d = D_22 * B_9
+    RI_7 = RI_7c + RI_7d
+    RI_7_right = RI_7 - RI_7c
+    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(D_22, B_9, RI_7d, RI_7_right)
+    RI_7_lo = RI_7_lo1 + RI_7c_lo
+    RI_8a = D_20 * B_8
+    RI_8b = D_21 * B_9
+    RI_8c = RI_8a + RI_8b
+    RI_8c_right = RI_8c - RI_8a
+    RI_8c_left_rest = product_rest(D_20, B_8, RI_8a, RI_8c - RI_8c_right)
+    RI_8c_lo = RI_8c_left_rest + product_rest(D_21, B_9, RI_8b, RI_8c_right)
+    RI_8d = D_22 * B_6
+    RI_8 = RI_8c + RI_8d
+    RI_8_right = RI_8 - RI_8c
+    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(D_22, B_6, RI_8d, RI_8_right)
+    RI_8_lo = RI_8_lo1 + RI_8c_lo
+    turned_1a = D_00 * B_1
+    turned_1b = D_01 * B_2
+    turned_1c = turned_1a + turned_1b
+    turned_1c_right = turned_1c - turned_1a
+    turned_1c_left_rest = product_rest(D_00, B_1, turned_1a, turned_1c - turned_1c_right)
+    turned_1c_lo = turned_1c_left_rest + product_rest(D_01, B_2, turned_1b, turned_1c_right)
+    turned_1d = D_02 * B_3
+    turned_1 = turned_1c + turned_1d
+    turned_1_right = turned_1 - turned_1c
+    turned_1_right_rest = product_rest(D_02, B_3, turned_1d, turned_1_right)
+    turned_1_lo1 = turned_1c - (turned_1 - turned_1_right) + turned_1_right_rest
+    turned_1_lo = turned_1_lo1 + turned_1c_lo
+    turned_2a = D_10 * B_1
+    turned_2b = D_11 * B_2
+    turned_2c = turned_2a + turned_2b
+    turned_2c_right = turned_2c - turned_2a
+    turned_2c_left_rest = product_rest(D_10, B_1, turned_2a, turned_2c - turned_2c_right)
+    turned_2c_lo = turned_2c_left_rest + product_rest(D_11, B_2, turned_2b, turned_2c_right)
+    turned_2d = D_12 * B_3
+    turned_2 = turned_2c + turned_2d
+    turned_2_right = turned_2 - turned_2c
+    turned_2_right_rest = product_rest(D_12, B_3, turned_2d, turned_2_right)
+    turned_2_lo1 = turned_2c - (turned_2 - turned_2_right) + turned_2_right_rest
+    turned_2_lo = turned_2_lo1 + turned_2c_lo
+    turned_3a = D_20 * B_1
+    turned_3b = D_21 * B_2
+    turned_3c = turned_3a + turned_3b
+    turned_3c_right = turned_3c - turned_3a
+    turned_3c_left_rest = product_rest(D_20, B_1, turned_3a, turned_3c - turned_3c_right)
+    turned_3c_lo = turned_3c_left_rest + product_rest(D_21, B_2, turned_3b, turned_3c_right)
+    turned_3d = D_22 * B_3
+    turned_3 = turned_3c + turned_3d
+    turned_3_right = turned_3 - turned_3c
+    turned_3_right_rest = product_rest(D_22, B_3, turned_3d, turned_3_right)
+    turned_3_lo1 = turned_3c - (turned_3 - turned_3_right) + turned_3_right_rest
+    turned_3_lo = turned_3_lo1 + turned_3c_lo
+    turned_4a_of_RI_0 = RI_0 + RI_0_lo
+    turned_4a_of_RI_0_right = turned_4a_of_RI_0 - RI_0
+    turned_4a_of_RI_0_left_rest = RI_0 - (turned_4a_of_RI_0 - turned_4a_of_RI_0_right)
+    turned_4a_of_RI_0_lo = turned_4a_of_RI_0_left_rest + (RI_0_lo - turned_4a_of_RI_0_right)
+    turned_4a = D_00 * turned_4a_of_RI_0
+    turned_4b_of_RI_1 = RI_1 + RI_1_lo
+    turned_4b_of_RI_1_right = turned_4b_of_RI_1 - RI_1
+    turned_4b_of_RI_1_left_rest = RI_1 - (turned_4b_of_RI_1 - turned_4b_of_RI_1_right)
+    turned_4b_of_RI_1_lo = turned_4b_of_RI_1_left_rest + (RI_1_lo - turned_4b_of_RI_1_right)
+    turned_4b = D_01 * turned_4b_of_RI_1
+    turned_4c = turned_4a + turned_4b
+    turned_4c_right = turned_4c - turned_4a
+    turned_4c_left = turned_4c - turned_4c_right
+    turned_4c_left_rest = product_rest(D_00, turned_4a_of_RI_0, turned_4a, turned_4c_left)
+    turned_4c_right_rest = product_rest(D_01, turned_4b_of_RI_1, turned_4b, turned_4c_right)
+    turned_4c_lo1 = turned_4c_left_rest + turned_4c_right_rest
+    turned_4c_lo = turned_4c_lo1 + (D_00 * turned_4a_of_RI_0_lo + D_01 * turned_4b_of_RI_1_lo)
+    turned_4d_of_RI_2 = RI_2 + RI_2_lo
+    turned_4d_of_RI_2_right = turned_4d_of_RI_2 - RI_2
+    turned_4d_of_RI_2_left_rest = RI_2 - (turned_4d_of_RI_2 - turned_4d_of_RI_2_right)
+    turned_4d_of_RI_2_lo = turned_4d_of_RI_2_left_rest + (RI_2_lo - turned_4d_of_RI_2_right)
+    turned_4d = D_02 * turned_4d_of_RI_2
+    turned_4 = turned_4c + turned_4d
+    turned_4_right = turned_4 - turned_4c
+    turned_4_right_rest = product_rest(D_02, turned_4d_of_RI_2, turned_4d, turned_4_right)
+    turned_4_lo1 = turned_4c - (turned_4 - turned_4_right) + turned_4_right_rest
+    turned_4_lo2 = turned_4_lo1 + D_02 * turned_4d_of_RI_2_lo
+    turned_4_lo = turned_4_lo2 + turned_4c_lo
+    turned_5a_of_RI_3 = RI_3 + RI_3_lo
+    turned_5a_of_RI_3_right = turned_5a_of_RI_3 - RI_3
+    turned_5a_of_RI_3_left_rest = RI_3 - (turned_5a_of_RI_3 - turned_5a_of_RI_3_right)
+    turned_5a_of_RI_3_lo = turned_5a_of_RI_3_left_rest + (RI_3_lo - turned_5a_of_RI_3_right)
+    turned_5a = D_10 * turned_5a_of_RI_3
+    turned_5b_of_RI_4 = RI_4 + RI_4_lo
+    turned_5b_of_RI_4_right = turned_5b_of_RI_4 - RI_4
+    turned_5b_of_RI_4_left_rest = RI_4 - (turned_5b_of_RI_4 - turned_5b_of_RI_4_right)
+    turned_5b_of_RI_4_lo = turned_5b_of_RI_4_left_rest + (RI_4_lo - turned_5b_of_RI_4_right)
+    turned_5b = D_11 * turned_5b_of_RI_4
+    turned_5c = turned_5a + turned_5b
+    turned_5c_right = turned_5c - turned_5a
+    turned_5c_left = turned_5c - turned_5c_right
+    turned_5c_left_rest = product_rest(D_10, turned_5a_of_RI_3, turned_5a, turned_5c_left)
+    turned_5c_right_rest = product_rest(D_11, turned_5b_of_RI_4, turned_5b, turned_5c_right)
+    turned_5c_lo1 = turned_5c_left_rest + turned_5c_right_rest
+    turned_5c_lo = turned_5c_lo1 + (D_10 * turned_5a_of_RI_3_lo + D_11 * turned_5b_of_RI_4_lo)
+    turned_5d_of_RI_5 = RI_5 + RI_5_lo
+    turned_5d_of_RI_5_right = turned_5d_of_RI_5 - RI_5
+    turned_5d_of_RI_5_left_rest = RI_5 - (turned_5d_of_RI_5 - turned_5d_of_RI_5_right)
+    turned_5d_of_RI_5_lo = turned_5d_of_RI_5_left_rest + (RI_5_lo - turned_5d_of_RI_5_right)
+    turned_5d = D_12 * turned_5d_of_RI_5
+    turned_5 = turned_5c + turned_5d
+    turned_5_right = turned_5 - turned_5c
+    turned_5_right_rest = product_rest(D_12, turned_5d_of_RI_5, turned_5d, turned_5_right)
+    turned_5_lo1 = turned_5c - (turned_5 - turned_5_right) + turned_5_right_rest
+    turned_5_lo2 = turned_5_lo1 + D_12 * turned_5d_of_RI_5_lo
+    turned_5_lo = turned_5_lo2 + turned_5c_lo
+    turned_6a_of_RI_6 = RI_6 + RI_6_lo
+    turned_6a_of_RI_6_right = turned_6a_of_RI_6 - RI_6
+    turned_6a_of_RI_6_left_rest = RI_6 - (turned_6a_of_RI_6 - turned_6a_of_RI_6_right)
+    turned_6a_of_RI_6_lo = turned_6a_of_RI_6_left_rest + (RI_6_lo - turned_6a_of_RI_6_right)
+    turned_6a = D_20 * turned_6a_of_RI_6
+    turned_6a_cross2 = D_20 * turned_6a_of_RI_6_lo
+    turned_6b_of_RI_7 = RI_7 + RI_7_lo
+    turned_6b_of_RI_7_right = turned_6b_of_RI_7 - RI_7
+    turned_6b_of_RI_7_left_rest = RI_7 - (turned_6b_of_RI_7 - turned_6b_of_RI_7_right)
+    turned_6b_of_RI_7_lo = turned_6b_of_RI_7_left_rest + (RI_7_lo - turned_6b_of_RI_7_right)
+    turned_6b = D_21 * turned_6b_of_RI_7
+    turned_6b_cross2 = D_21 * turned_6b_of_RI_7_lo
+    turned_6c = turned_6a + turned_6b
+    turned_6c_right = turned_6c - turned_6a
+    turned_6c_left = turned_6c - turned_6c_right
+    turned_6c_left_rest = product_rest(D_20, turned_6a_of_RI_6, turned_6a, turned_6c_left)
+    turned_6c_right_rest = product_rest(D_21, turned_6b_of_RI_7, turned_6b, turned_6c_right)
+    turned_6c_cross = turned_6a_cross2 + turned_6b_cross2
+    turned_6c_lo1 = turned_6c_left_rest + turned_6c_right_rest
+    turned_6c_lo = turned_6c_lo1 + turned_6c_cross
+    turned_6d_of_RI_8 = RI_8 + RI_8_lo
+    turned_6d_of_RI_8_right = turned_6d_of_RI_8 - RI_8
+    turned_6d_of_RI_8_left_rest = RI_8 - (turned_6d_of_RI_8 - turned_6d_of_RI_8_right)
+    turned_6d_of_RI_8_lo = turned_6d_of_RI_8_left_rest + (RI_8_lo - turned_6d_of_RI_8_right)
+    turned_6d = D_22 * turned_6d_of_RI_8
+    turned_6d_cross2 = D_22 * turned_6d_of_RI_8_lo
+    turned_6 = turned_6c + turned_6d
+    turned_6_right = turned_6 - turned_6c
+    turned_6_right_rest = product_rest(D_22, turned_6d_of_RI_8, turned_6d, turned_6_right)
+    turned_6_lo1 = turned_6c - (turned_6 - turned_6_right) + turned_6_right_rest
+    turned_6_lo2 = turned_6_lo1 + turned_6d_cross2
+    turned_6_lo = turned_6_lo2 + turned_6c_lo
+    turned_7a = D_10 * turned_4a_of_RI_0
+    turned_7b = D_11 * turned_4b_of_RI_1
+    turned_7c = turned_7a + turned_7b
+    turned_7c_right = turned_7c - turned_7a
+    turned_7c_left = turned_7c - turned_7c_right
+    turned_7c_left_rest = product_rest(D_10, turned_4a_of_RI_0, turned_7a, turned_7c_left)
+    turned_7c_right_rest = product_rest(D_11, turned_4b_of_RI_1, turned_7b, turned_7c_right)
+    turned_7c_lo1 = turned_7c_left_rest + turned_7c_right_rest
+    turned_7c_lo = turned_7c_lo1 + (D_10 * turned_4a_of_RI_0_lo + D_11 * turned_4b_of_RI_1_lo)
+    turned_7d = D_12 * turned_4d_of_RI_2
+    turned_7 = turned_7c + turned_7d
+    turned_7_right = turned_7 - turned_7c
+    turned_7_right_rest = product_rest(D_12, turned_4d_of_RI_2, turned_7d, turned_7_right)
+    turned_7_lo1 = turned_7c - (turned_7 - turned_7_right) + turned_7_right_rest
+    turned_7_lo2 = turned_7_lo1 + D_12 * turned_4d_of_RI_2_lo
+    turned_7_lo = turned_7_lo2 + turned_7c_lo
+    turned_8a = D_20 * turned_4a_of_RI_0
+    turned_8b = D_21 * turned_4b_of_RI_1
+    turned_8c = turned_8a + turned_8b
+    turned_8c_right = turned_8c - turned_8a
+    turned_8c_left = turned_8c - turned_8c_right
+    turned_8c_left_rest = product_rest(D_20, turned_4a_of_RI_0, turned_8a, turned_8c_left)
+    turned_8c_right_rest = product_rest(D_21, turned_4b_of_RI_1, turned_8b, turned_8c_right)
+    turned_8c_lo1 = turned_8c_left_rest + turned_8c_right_rest
+    turned_8c_lo = turned_8c_lo1 + (D_20 * turned_4a_of_RI_0_lo + D_21 * turned_4b_of_RI_1_lo)
+    turned_8d = D_22 * turned_4d_of_RI_2
+    turned_8 = turned_8c + turned_8d
+    turned_8_right = turned_8 - turned_8c
+    turned_8_right_rest = product_rest(D_22, turned_4d_of_RI_2, turned_8d, turned_8_right)
+    turned_8_lo1 = turned_8c - (turned_8 - turned_8_right) + turned_8_right_rest
+    turned_8_lo2 = turned_8_lo1 + D_22 * turned_4d_of_RI_2_lo
+    turned_8_lo = turned_8_lo2 + turned_8c_lo
+    turned_9a = D_20 * turned_5a_of_RI_3
+    turned_9b = D_21 * turned_5b_of_RI_4
+    turned_9c = turned_9a + turned_9b
+    turned_9c_right = turned_9c - turned_9a
+    turned_9c_left = turned_9c - turned_9c_right
+    turned_9c_left_rest = product_rest(D_20, turned_5a_of_RI_3, turned_9a, turned_9c_left)
+    turned_9c_right_rest = product_rest(D_21, turned_5b_of_RI_4, turned_9b, turned_9c_right)
+    turned_9c_lo1 = turned_9c_left_rest + turned_9c_right_rest
+    turned_9c_lo = turned_9c_lo1 + (D_20 * turned_5a_of_RI_3_lo + D_21 * turned_5b_of_RI_4_lo)
+    turned_9d = D_22 * turned_5d_of_RI_5
+    turned_9 = turned_9c + turned_9d
+    turned_9_right = turned_9 - turned_9c
+    turned_9_right_rest = product_rest(D_22, turned_5d_of_RI_5, turned_9d, turned_9_right)
+    turned_9_lo1 = turned_9c - (turned_9 - turned_9_right) + turned_9_right_rest
+    turned_9_lo2 = turned_9_lo1 + D_22 * turned_5d_of_RI_5_lo
+    turned_9_lo = turned_9_lo2 + turned_9c_lo
+    mt_0 = D_03 * B_0
+    mt_1 = D_13 * B_0
+    mt_2 = D_23 * B_0
+    mt_0_lo = product_error(D_03, B_0, mt_0)
+    half_0 = 0.5 * mt_0
+    mt_1_lo = product_error(D_13, B_0, mt_1)
+    half_1 = 0.5 * mt_1
+    mt_2_lo = product_error(D_23, B_0, mt_2)
+    half_2 = 0.5 * mt_2
+    n_0 = turned_1 + half_0
+    n_0_right = n_0 - turned_1
+    n_0_lo = turned_1 - (n_0 - n_0_right) + (half_0 - n_0_right) + 0.5 * mt_0_lo + turned_1_lo
+    n_1 = turned_2 + half_1
+    n_1_right = n_1 - turned_2
+    n_1_lo = turned_2 - (n_1 - n_1_right) + (half_1 - n_1_right) + 0.5 * mt_1_lo + turned_2_lo
+    n_2 = turned_3 + half_2
+    n_2_right = n_2 - turned_3
+    n_2_lo = turned_3 - (n_2 - n_2_right) + (half_2 - n_2_right) + 0.5 * mt_2_lo + turned_3_lo
+    tn0_of_n_0 = n_0 + n_0_lo
+    tn0_of_n_0_right = tn0_of_n_0 - n_0
+    tn0_of_n_0_lo = n_0 - (tn0_of_n_0 - tn0_of_n_0_right) + (n_0_lo - tn0_of_n_0_right)
+    tn0 = D_03 * tn0_of_n_0
+    tn1_of_n_1 = n_1 + n_1_lo
+    tn1_of_n_1_right = tn1_of_n_1 - n_1
+    tn1_of_n_1_lo = n_1 - (tn1_of_n_1 - tn1_of_n_1_right) + (n_1_lo - tn1_of_n_1_right)
+    tn1 = D_13 * tn1_of_n_1
+    tn2_of_n_2 = n_2 + n_2_lo
+    tn2_of_n_2_right = tn2_of_n_2 - n_2
+    tn2_of_n_2_lo = n_2 - (tn2_of_n_2 - tn2_of_n_2_right) + (n_2_lo - tn2_of_n_2_right)
+    tn2 = D_23 * tn2_of_n_2
+    own_0 = 2 * tn0
+    own_0_cross2 = 2 * (product_error(D_03, tn0_of_n_0, tn0) + D_03 * tn0_of_n_0_lo)
+    own_1 = 2 * tn1
+    own_1_cross2 = 2 * (product_error(D_13, tn1_of_n_1, tn1) + D_13 * tn1_of_n_1_lo)
+    own_2 = 2 * tn2
+    own_2_cross2 = 2 * (product_error(D_23, tn2_of_n_2, tn2) + D_23 * tn2_of_n_2_lo)
+    pairs_0 = own_1 + own_2
+    pairs_0_right = pairs_0 - own_1
+    pairs_0_lo2 = own_1 - (pairs_0 - pairs_0_right) + (own_2 - pairs_0_right) + own_2_cross2
+    pairs_0_lo = pairs_0_lo2 + own_1_cross2
+    pairs_1 = own_0 + own_2
+    pairs_1_right = pairs_1 - own_0
+    pairs_1_lo2 = own_0 - (pairs_1 - pairs_1_right) + (own_2 - pairs_1_right) + own_2_cross2
+    pairs_1_lo = pairs_1_lo2 + own_0_cross2
+    pairs_2 = own_0 + own_1
+    pairs_2_right = pairs_2 - own_0
+    pairs_2_lo2 = own_0 - (pairs_2 - pairs_2_right) + (own_1 - pairs_2_right) + own_1_cross2
+    pairs_2_lo = pairs_2_lo2 + own_0_cross2
+    pairs_3a = D_03 * tn1_of_n_1
+    pairs_3b = D_13 * tn0_of_n_0
+    pairs_3 = pairs_3a + pairs_3b
+    pairs_3_right = pairs_3 - pairs_3a
+    pairs_3_left_rest = product_rest(D_03, tn1_of_n_1, pairs_3a, pairs_3 - pairs_3_right)
+    pairs_3_lo1 = pairs_3_left_rest + product_rest(D_13, tn0_of_n_0, pairs_3b, pairs_3_right)
+    pairs_3_lo = pairs_3_lo1 + (D_03 * tn1_of_n_1_lo + D_13 * tn0_of_n_0_lo)
+    pairs_4a = D_03 * tn2_of_n_2
+    pairs_4b = D_23 * tn0_of_n_0
+    pairs_4 = pairs_4a + pairs_4b
+    pairs_4_right = pairs_4 - pairs_4a
+    pairs_4_left_rest = product_rest(D_03, tn2_of_n_2, pairs_4a, pairs_4 - pairs_4_right)
+    pairs_4_lo1 = pairs_4_left_rest + product_rest(D_23, tn0_of_n_0, pairs_4b, pairs_4_right)
+    pairs_4_lo = pairs_4_lo1 + (D_03 * tn2_of_n_2_lo + D_23 * tn0_of_n_0_lo)
+    pairs_5a = D_13 * tn2_of_n_2
+    pairs_5b = D_23 * tn1_of_n_1
+    pairs_5 = pairs_5a + pairs_5b
+    pairs_5_right = pairs_5 - pairs_5a
+    pairs_5_left_rest = product_rest(D_13, tn2_of_n_2, pairs_5a, pairs_5 - pairs_5_right)
+    pairs_5_lo1 = pairs_5_left_rest + product_rest(D_23, tn1_of_n_1, pairs_5b, pairs_5_right)
+    pairs_5_lo = pairs_5_lo1 + (D_13 * tn2_of_n_2_lo + D_23 * tn1_of_n_1_lo)
+    moved_0 = turned_1 + mt_0
+    moved_0_right = moved_0 - turned_1
+    moved_0_lo2 = turned_1 - (moved_0 - moved_0_right) + (mt_0 - moved_0_right) + mt_0_lo
+    moved_0_lo = moved_0_lo2 + turned_1_lo
+    moved_1 = turned_2 + mt_1
+    moved_1_right = moved_1 - turned_2
+    moved_1_lo2 = turned_2 - (moved_1 - moved_1_right) + (mt_1 - moved_1_right) + mt_1_lo
+    moved_1_lo = moved_1_lo2 + turned_2_lo
+    moved_2 = turned_3 + mt_2
+    moved_2_right = moved_2 - turned_3
+    moved_2_lo2 = turned_3 - (moved_2 - moved_2_right) + (mt_2 - moved_2_right) + mt_2_lo
+    moved_2_lo = moved_2_lo2 + turned_3_lo
+    Bo_4 = turned_4 + pairs_0
+    Bo_4_right = Bo_4 - turned_4
+    Bo_4_lo1 = turned_4 - (Bo_4 - Bo_4_right) + (pairs_0 - Bo_4_right)
+    Bo_4_lo2 = Bo_4_lo1 + pairs_0_lo
+    Bo_4_lo = Bo_4_lo2 + turned_4_lo
+    Bo_5 = turned_5 + pairs_1
+    Bo_5_right = Bo_5 - turned_5
+    Bo_5_lo1 = turned_5 - (Bo_5 - Bo_5_right) + (pairs_1 - Bo_5_right)
+    Bo_5_lo2 = Bo_5_lo1 + pairs_1_lo
+    Bo_5_lo = Bo_5_lo2 + turned_5_lo
+    Bo_6 = turned_6 + pairs_2
+    Bo_6_right = Bo_6 - turned_6
+    Bo_6_lo1 = turned_6 - (Bo_6 - Bo_6_right) + (pairs_2 - Bo_6_right)
+    Bo_6_lo2 = Bo_6_lo1 + pairs_2_lo
+    Bo_6_lo = Bo_6_lo2 + turned_6_lo
+    Bo_7 = turned_7 - pairs_3
+    Bo_7_right = turned_7 - Bo_7
+    Bo_7_lo1 = turned_7 - (Bo_7 + Bo_7_right) - (pairs_3 - Bo_7_right)
+    Bo_7_lo2 = Bo_7_lo1 - pairs_3_lo
+    Bo_7_lo = Bo_7_lo2 + turned_7_lo
+    Bo_8 = turned_8 - pairs_4
+    Bo_8_right = turned_8 - Bo_8
+    Bo_8_lo1 = turned_8 - (Bo_8 + Bo_8_right) - (pairs_4 - Bo_8_right)
+    Bo_8_lo2 = Bo_8_lo1 - pairs_4_lo
+    Bo_8_lo = Bo_8_lo2 + turned_8_lo
+    Bo_9 = turned_9 - pairs_5
+    Bo_9_right = turned_9 - Bo_9
+    Bo_9_lo1 = turned_9 - (Bo_9 + Bo_9_right) - (pairs_5 - Bo_9_right)
+    Bo_9_lo2 = Bo_9_lo1 - pairs_5_lo
+    Bo_9_lo = Bo_9_lo2 + turned_9_lo
+    moved_0_rounded = moved_0 + moved_0_lo
+    moved_1_rounded = moved_1 + moved_1_lo
+    moved_2_rounded = moved_2 + moved_2_lo
+    Bo_4_rounded = Bo_4 + Bo_4_lo
+    Bo_5_rounded = Bo_5 + Bo_5_lo
+    Bo_6_rounded = Bo_6 + Bo_6_lo
+    Bo_7_rounded = Bo_7 + Bo_7_lo
+    Bo_8_rounded = Bo_8 + Bo_8_lo
+    Bo_9_rounded = Bo_9 + Bo_9_lo
+    return (B_0, moved_0_rounded, moved_1_rounded, moved_2_rounded, Bo_4_rounded, Bo_5_rounded,
+        Bo_6_rounded, Bo_7_rounded, Bo_8_rounded, Bo_9_rounded)
+
+
+@kernel("(10)->()")
+def spatial_inertia_consistency(B):
+    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+    positive exactly if a body of positive density has this inertia.
+
+    (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
+    xz, yz in kg m^2); pivot: number.
+    43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26
+    select.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    trace_a = 0.5 * B_4
+    trace_b = 0.5 * B_5
+    trace_c = trace_a + trace_b
+    trace_c_right = trace_c - trace_a
+    trace_d = 0.5 * B_6
+    trace = trace_c + trace_d
+    trace_right = trace - trace_c
+    trace_lo1 = trace_c - (trace - trace_right) + (trace_d - trace_right)
+    trace_lo = trace_lo1 + (trace_a - (trace_c - trace_c_right) + (trace_b - trace_c_right))
+    sigma_0 = trace - B_4
+    sigma_0_right = trace - sigma_0
+    sigma_0_lo = trace - (sigma_0 + sigma_0_right) - (B_4 - sigma_0_right) + trace_lo
+    sigma_1 = trace - B_5
+    sigma_1_right = trace - sigma_1
+    sigma_1_lo = trace - (sigma_1 + sigma_1_right) - (B_5 - sigma_1_right) + trace_lo
+    sigma_2 = trace - B_6
+    sigma_2_right = trace - sigma_2
+    sigma_2_lo = trace - (sigma_2 + sigma_2_right) - (B_6 - sigma_2_right) + trace_lo
+    divisor0 = where(0 < B_0, B_0, 1)
+    l0_0 = B_1 / divisor0
+    l0_0_product = l0_0 * divisor0
+    l0_0_lo = (B_1 - l0_0_product - product_error(l0_0, divisor0, l0_0_product)) / divisor0
+    l0_1 = B_2 / divisor0
+    l0_1_product = l0_1 * divisor0
+    l0_1_lo = (B_2 - l0_1_product - product_error(l0_1, divisor0, l0_1_product)) / divisor0
+    l0_2 = B_3 / divisor0
+    l0_2_product = l0_2 * divisor0
+    l0_2_lo = (B_3 - l0_2_product - product_error(l0_2, divisor0, l0_2_product)) / divisor0
+    u1_0a = B_1 * l0_0
+    u1_0 = sigma_0 - u1_0a
+    u1_0_right = sigma_0 - u1_0
+    u1_0_lo1 = sigma_0 - (u1_0 + u1_0_right) - product_rest(B_1, l0_0, u1_0a, u1_0_right)
+    u1_0_lo2 = u1_0_lo1 - B_1 * l0_0_lo
+    u1_0_lo = u1_0_lo2 + sigma_0_lo
+    u1_1a = B_2 * l0_0
+    u1_1b = u1_1a + B_7
+    u1_1b_right = u1_1b - u1_1a
+    u1_1b_lo1 = product_rest(B_2, l0_0, u1_1a, u1_1b - u1_1b_right) + (B_7 - u1_1b_right)
+    u1_1b_lo = u1_1b_lo1 + B_2 * l0_0_lo
+    u1_1 = -u1_1b
+    u1_1_lo = -u1_1b_lo
+    u1_2a = B_3 * l0_0
+    u1_2b = u1_2a + B_8
+    u1_2b_right = u1_2b - u1_2a
+    u1_2b_lo1 = product_rest(B_3, l0_0, u1_2a, u1_2b - u1_2b_right) + (B_8 - u1_2b_right)
+    u1_2b_lo = u1_2b_lo1 + B_3 * l0_0_lo
+    u1_2 = -u1_2b
+    u1_2_lo = -u1_2b_lo
+    divisor1a_of_u1_0 = u1_0 + u1_0_lo
+    divisor1a_of_u1_0_right = divisor1a_of_u1_0 - u1_0
+    divisor1a_of_u1_0_left_rest = u1_0 - (divisor1a_of_u1_0 - divisor1a_of_u1_0_right)
+    divisor1a_of_u1_0_lo = divisor1a_of_u1_0_left_rest + (u1_0_lo - divisor1a_of_u1_0_right)
+    divisor1 = where(0 < divisor1a_of_u1_0, divisor1a_of_u1_0, 1)
+    divisor1_lo = where(0 < divisor1a_of_u1_0, divisor1a_of_u1_0_lo, 0)
+    l1_0_of_u1_1 = u1_1 + u1_1_lo
+    l1_0_of_u1_1_right = l1_0_of_u1_1 - u1_1
+    l1_0_of_u1_1_lo = u1_1 - (l1_0_of_u1_1 - l1_0_of_u1_1_right) + (u1_1_lo - l1_0_of_u1_1_right)
+    l1_0_of_divisor1 = divisor1 + divisor1_lo
+    l1_0_of_divisor1_right = l1_0_of_divisor1 - divisor1
+    l1_0_of_divisor1_left_rest = divisor1 - (l1_0_of_divisor1 - l1_0_of_divisor1_right)
+    l1_0_of_divisor1_lo = l1_0_of_divisor1_left_rest + (divisor1_lo - l1_0_of_divisor1_right)
+    l1_0 = l1_0_of_u1_1 / l1_0_of_divisor1
+    l1_0_product = l1_0 * l1_0_of_divisor1
+    l1_0_exact = l1_0_of_u1_1 - l1_0_product - product_error(l1_0, l1_0_of_divisor1, l1_0_product)
+    l1_0_numerator = l1_0_exact + l1_0_of_u1_1_lo
+    l1_0_residual = l1_0_numerator - l1_0 * l1_0_of_divisor1_lo
+    l1_0_lo = l1_0_residual / l1_0_of_divisor1
+    l1_1_of_u1_2 = u1_2 + u1_2_lo
+    l1_1_of_u1_2_right = l1_1_of_u1_2 - u1_2
+    l1_1_of_u1_2_lo = u1_2 - (l1_1_of_u1_2 - l1_1_of_u1_2_right) + (u1_2_lo - l1_1_of_u1_2_right)
+    l1_1 = l1_1_of_u1_2 / l1_0_of_divisor1
+    l1_1_product = l1_1 * l1_0_of_divisor1
+    l1_1_exact = l1_1_of_u1_2 - l1_1_product - product_error(l1_1, l1_0_of_divisor1, l1_1_product)
+    l1_1_numerator = l1_1_exact + l1_1_of_u1_2_lo
+    l1_1_residual = l1_1_numerator - l1_1 * l1_0_of_divisor1_lo
+    l1_1_lo = l1_1_residual / l1_0_of_divisor1
+    u2_0a = B_2 * l0_1
+    u2_0b = sigma_1 - u2_0a
+    u2_0b_right = sigma_1 - u2_0b
+    u2_0b_lo1 = sigma_1 - (u2_0b + u2_0b_right) - product_rest(B_2, l0_1, u2_0a, u2_0b_right)
+    u2_0b_lo2 = u2_0b_lo1 - B_2 * l0_1_lo
+    u2_0b_lo = u2_0b_lo2 + sigma_1_lo
+    u2_0c = l1_0_of_u1_1 * l1_0
+    u2_0 = u2_0b - u2_0c
+    u2_0_right = u2_0b - u2_0
+    u2_0_lo1 = u2_0b - (u2_0 + u2_0_right) - product_rest(l1_0_of_u1_1, l1_0, u2_0c, u2_0_right)
+    u2_0_lo2 = u2_0_lo1 - (l1_0_of_u1_1_lo * l1_0 + l1_0_of_u1_1 * l1_0_lo)
+    u2_0_lo = u2_0_lo2 + u2_0b_lo
+    u2_1a = B_3 * l0_1
+    u2_1b = u2_1a + B_9
+    u2_1b_right = u2_1b - u2_1a
+    u2_1b_lo1 = product_rest(B_3, l0_1, u2_1a, u2_1b - u2_1b_right) + (B_9 - u2_1b_right)
+    u2_1b_lo = u2_1b_lo1 + B_3 * l0_1_lo
+    u2_1c = l1_1_of_u1_2 * l1_0
+    u2_1d = u2_1b + u2_1c
+    u2_1d_right = u2_1d - u2_1b
+    u2_1d_lo1 = u2_1b - (u2_1d - u2_1d_right) + product_rest(l1_1_of_u1_2, l1_0, u2_1c, u2_1d_right)
+    u2_1d_lo2 = u2_1d_lo1 + (l1_1_of_u1_2_lo * l1_0 + l1_1_of_u1_2 * l1_0_lo)
+    u2_1d_lo = u2_1d_lo2 + u2_1b_lo
+    u2_1 = -u2_1d
+    u2_1_lo = -u2_1d_lo
+    divisor2a_of_u2_0 = u2_0 + u2_0_lo
+    divisor2a_of_u2_0_right = divisor2a_of_u2_0 - u2_0
+    divisor2a_of_u2_0_left_rest = u2_0 - (divisor2a_of_u2_0 - divisor2a_of_u2_0_right)
+    divisor2a_of_u2_0_lo = divisor2a_of_u2_0_left_rest + (u2_0_lo - divisor2a_of_u2_0_right)
+    divisor2 = where(0 < divisor2a_of_u2_0, divisor2a_of_u2_0, 1)
+    divisor2_lo = where(0 < divisor2a_of_u2_0, divisor2a_of_u2_0_lo, 0)
+    l2_of_u2_1 = u2_1 + u2_1_lo
+    l2_of_u2_1_right = l2_of_u2_1 - u2_1
+    l2_of_u2_1_lo = u2_1 - (l2_of_u2_1 - l2_of_u2_1_right) + (u2_1_lo - l2_of_u2_1_right)
+    l2_of_divisor2 = divisor2 + divisor2_lo
+    l2_of_divisor2_right = l2_of_divisor2 - divisor2
+    l2_of_divisor2_left_rest = divisor2 - (l2_of_divisor2 - l2_of_divisor2_right)
+    l2_of_divisor2_lo = l2_of_divisor2_left_rest + (divisor2_lo - l2_of_divisor2_right)
+    l2 = l2_of_u2_1 / l2_of_divisor2
+    l2_product = l2 * l2_of_divisor2
+    l2_exact = l2_of_u2_1 - l2_product - product_error(l2, l2_of_divisor2, l2_product)
+    l2_numerator = l2_exact + l2_of_u2_1_lo
+    l2_cross = l2 * l2_of_divisor2_lo
+    l2_residual = l2_numerator - l2_cross
+    l2_lo = l2_residual / l2_of_divisor2
+    u3a = B_3 * l0_2
+    u3a_cross2 = B_3 * l0_2_lo
+    u3b = sigma_2 - u3a
+    u3b_right = sigma_2 - u3b
+    u3b_lo1 = sigma_2 - (u3b + u3b_right) - product_rest(B_3, l0_2, u3a, u3b_right)
+    u3b_lo2 = u3b_lo1 - u3a_cross2
+    u3b_lo = u3b_lo2 + sigma_2_lo
+    u3c = l1_1_of_u1_2 * l1_1
+    u3c_cross2 = l1_1_of_u1_2 * l1_1_lo
+    u3c_cross = l1_1_of_u1_2_lo * l1_1 + u3c_cross2
+    u3d = u3b - u3c
+    u3d_right = u3b - u3d
+    u3d_lo1 = u3b - (u3d + u3d_right) - product_rest(l1_1_of_u1_2, l1_1, u3c, u3d_right)
+    u3d_lo2 = u3d_lo1 - u3c_cross
+    u3d_lo = u3d_lo2 + u3b_lo
+    u3e = l2_of_u2_1 * l2
+    u3e_cross2 = l2_of_u2_1 * l2_lo
+    u3e_cross = l2_of_u2_1_lo * l2 + u3e_cross2
+    u3 = u3d - u3e
+    u3_right = u3d - u3
+    u3_lo1 = u3d - (u3 + u3_right) - product_rest(l2_of_u2_1, l2, u3e, u3_right)
+    u3_lo2 = u3_lo1 - u3e_cross
+    u3_lo = u3_lo2 + u3d_lo
+    part0a = B_0 / divisor0
+    part0a_product = part0a * divisor0
+    part0a_lo = (B_0 - part0a_product - product_error(part0a, divisor0, part0a_product)) / divisor0
+    part0 = where(0 < B_0, part0a, B_0)
+    part0_lo = where(0 < B_0, part0a_lo, 0)
+    own1a_of_sigma_0 = sigma_0 + sigma_0_lo
+    own1a_of_sigma_0_right = own1a_of_sigma_0 - sigma_0
+    own1a_of_sigma_0_left_rest = sigma_0 - (own1a_of_sigma_0 - own1a_of_sigma_0_right)
+    own1a_of_sigma_0_lo = own1a_of_sigma_0_left_rest + (sigma_0_lo - own1a_of_sigma_0_right)
+    own1 = where(0 < own1a_of_sigma_0, own1a_of_sigma_0, 1)
+    own1_lo = where(0 < own1a_of_sigma_0, own1a_of_sigma_0_lo, 0)
+    part1a_of_own1 = own1 + own1_lo
+    part1a_of_own1_right = part1a_of_own1 - own1
+    part1a_of_own1_left_rest = own1 - (part1a_of_own1 - part1a_of_own1_right)
+    part1a_of_own1_lo = part1a_of_own1_left_rest + (own1_lo - part1a_of_own1_right)
+    part1a = divisor1a_of_u1_0 / part1a_of_own1
+    part1a_product = part1a * part1a_of_own1
+    part1a_product_error = product_error(part1a, part1a_of_own1, part1a_product)
+    part1a_exact = divisor1a_of_u1_0 - part1a_product - part1a_product_error
+    part1a_numerator = part1a_exact + divisor1a_of_u1_0_lo
+    part1a_cross = part1a * part1a_of_own1_lo
+    part1a_residual = part1a_numerator - part1a_cross
+    part1a_lo = part1a_residual / part1a_of_own1
+    part1 = where(0 < own1a_of_sigma_0, part1a, own1a_of_sigma_0)
+    part1_lo = where(0 < own1a_of_sigma_0, part1a_lo, own1a_of_sigma_0_lo)
+    smallest1a_of_part0 = part0 + part0_lo
+    smallest1a_of_part0_right = smallest1a_of_part0 - part0
+    smallest1a_of_part0_left_rest = part0 - (smallest1a_of_part0 - smallest1a_of_part0_right)
+    smallest1a_of_part0_lo = smallest1a_of_part0_left_rest + (part0_lo - smallest1a_of_part0_right)
+    smallest1a_of_part1 = part1 + part1_lo
+    smallest1a_of_part1_right = smallest1a_of_part1 - part1
+    smallest1a_of_part1_left_rest = part1 - (smallest1a_of_part1 - smallest1a_of_part1_right)
+    smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + (part1_lo - smallest1a_of_part1_right)
+    smallest1 = where(smallest1a_of_part0 < smallest1a_of_part1, smallest1a_of_part0, smallest1a_of_part1)
+    smallest1_lo = where(smallest1a_of_part0 < smallest1a_of_part1, smallest1a_of_part0_lo, smallest1a_of_part1_lo)
+    own2a_of_sigma_1 = sigma_1 + sigma_1_lo
+    own2a_of_sigma_1_right = own2a_of_sigma_1 - sigma_1
+    own2a_of_sigma_1_left_rest = sigma_1 - (own2a_of_sigma_1 - own2a_of_sigma_1_right)
+    own2a_of_sigma_1_lo = own2a_of_sigma_1_left_rest + (sigma_1_lo - own2a_of_sigma_1_right)
+    own2 = where(0 < own2a_of_sigma_1, own2a_of_sigma_1, 1)
+    own2_lo = where(0 < own2a_of_sigma_1, own2a_of_sigma_1_lo, 0)
+    part2a_of_own2 = own2 + own2_lo
+    part2a_of_own2_right = part2a_of_own2 - own2
+    part2a_of_own2_left_rest = own2 - (part2a_of_own2 - part2a_of_own2_right)
+    part2a_of_own2_lo = part2a_of_own2_left_rest + (own2_lo - part2a_of_own2_right)
+    part2a = divisor2a_of_u2_0 / part2a_of_own2
+    part2a_product = part2a * part2a_of_own2
+    part2a_product_error = product_error(part2a, part2a_of_own2, part2a_product)
+    part2a_exact = divisor2a_of_u2_0 - part2a_product - part2a_product_error
+    part2a_numerator = part2a_exact + divisor2a_of_u2_0_lo
+    part2a_cross = part2a * part2a_of_own2_lo
+    part2a_residual = part2a_numerator - part2a_cross
+    part2a_lo = part2a_residual / part2a_of_own2
+    part2 = where(0 < own2a_of_sigma_1, part2a, own2a_of_sigma_1)
+    part2_lo = where(0 < own2a_of_sigma_1, part2a_lo, own2a_of_sigma_1_lo)
+    smallest2a_of_smallest1 = smallest1 + smallest1_lo
+    smallest2a_of_smallest1_right = smallest2a_of_smallest1 - smallest1
+    smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right
+    smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left
+    smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right
+    smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest
+    smallest2a_of_part2 = part2 + part2_lo
+    smallest2a_of_part2_right = smallest2a_of_part2 - part2
+    smallest2a_of_part2_left_rest = part2 - (smallest2a_of_part2 - smallest2a_of_part2_right)
+    smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + (part2_lo - smallest2a_of_part2_right)
+    smallest2 = where(smallest2a_of_smallest1 < smallest2a_of_part2, smallest2a_of_smallest1, smallest2a_of_part2)
+    smallest2_lo = where(smallest2a_of_smallest1 < smallest2a_of_part2, smallest2a_of_smallest1_lo, smallest2a_of_part2_lo)
+    own3a_of_sigma_2 = sigma_2 + sigma_2_lo
+    own3a_of_sigma_2_right = own3a_of_sigma_2 - sigma_2
+    own3a_of_sigma_2_left_rest = sigma_2 - (own3a_of_sigma_2 - own3a_of_sigma_2_right)
+    own3a_of_sigma_2_lo = own3a_of_sigma_2_left_rest + (sigma_2_lo - own3a_of_sigma_2_right)
+    own3 = where(0 < own3a_of_sigma_2, own3a_of_sigma_2, 1)
+    own3_lo = where(0 < own3a_of_sigma_2, own3a_of_sigma_2_lo, 0)
+    part3a_of_u3 = u3 + u3_lo
+    part3a_of_u3_right = part3a_of_u3 - u3
+    part3a_of_u3_lo = u3 - (part3a_of_u3 - part3a_of_u3_right) + (u3_lo - part3a_of_u3_right)
+    part3a_of_own3 = own3 + own3_lo
+    part3a_of_own3_right = part3a_of_own3 - own3
+    part3a_of_own3_left_rest = own3 - (part3a_of_own3 - part3a_of_own3_right)
+    part3a_of_own3_lo = part3a_of_own3_left_rest + (own3_lo - part3a_of_own3_right)
+    part3a = part3a_of_u3 / part3a_of_own3
+    part3a_product = part3a * part3a_of_own3
+    part3a_product_error = product_error(part3a, part3a_of_own3, part3a_product)
+    part3a_exact = part3a_of_u3 - part3a_product - part3a_product_error
+    part3a_numerator = part3a_exact + part3a_of_u3_lo
+    part3a_cross = part3a * part3a_of_own3_lo
+    part3a_residual = part3a_numerator - part3a_cross
+    part3a_lo = part3a_residual / part3a_of_own3
+    part3 = where(0 < own3a_of_sigma_2, part3a, own3a_of_sigma_2)
+    part3_lo = where(0 < own3a_of_sigma_2, part3a_lo, own3a_of_sigma_2_lo)
+    smallest3a_of_smallest2 = smallest2 + smallest2_lo
+    smallest3a_of_smallest2_right = smallest3a_of_smallest2 - smallest2
+    smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right
+    smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left
+    smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right
+    smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest
+    smallest3a_of_part3 = part3 + part3_lo
+    smallest3a_of_part3_right = smallest3a_of_part3 - part3
+    smallest3a_of_part3_left_rest = part3 - (smallest3a_of_part3 - smallest3a_of_part3_right)
+    smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + (part3_lo - smallest3a_of_part3_right)
+    smallest3 = where(smallest3a_of_smallest2 < smallest3a_of_part3, smallest3a_of_smallest2, smallest3a_of_part3)
+    smallest3_lo = where(smallest3a_of_smallest2 < smallest3a_of_part3, smallest3a_of_smallest2_lo, smallest3a_of_part3_lo)
+    smallest3_rounded = smallest3 + smallest3_lo
+    return where(smallest3_rounded == smallest3_rounded, smallest3_rounded, smallest3)
