@@ -2,7 +2,7 @@
 
 Every kernel runs in a loop over an array of structs and in one over a structure of arrays, on
 numbers that C and Python make alike.  The hashes wanted are those of the NumPy twins, which round
-every operation once on any machine.
+every operation once on any machine.  What would call libm calls stand-ins.
 """
 
 import functools
@@ -14,23 +14,18 @@ from types import ModuleType
 import numpy as np
 
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.program import Op
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, c_type, member
 from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.tiers.table import TIERS
+from tests import stand_ins
 from tests.attack import plain_program
 from tests.c_harness import call_of, distinct, is_array
 
 ROWS = 17  # vectors of any width, and a rest
 WIDEST = 36  # components
-LIBM = {Op.SIN, Op.COS, Op.ATAN2, Op.EXP, Op.TANH}
 
-_HEAD = """\
-#include <ksl/ksl.h>
-#include <ksl/ksl_accurate.h>
-#include <ksl/ksl_certified.h>
-#include <ksl/ksl_fused.h>
+HEAD = stand_ins.C + """\
 #include <stdint.h>
 #include <stdio.h>
 
@@ -38,11 +33,6 @@ _HEAD = """\
 #define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #else
 #define INDEPENDENT _Pragma("GCC ivdep")
-#endif
-#define NOT_FOLDED __attribute__((noinline, noclone))
-#if defined(__clang__)
-#undef NOT_FOLDED
-#define NOT_FOLDED __attribute__((noinline))
 #endif
 """
 
@@ -101,10 +91,9 @@ class Kernel:
 
 
 def kernels(tier: str, names: Sequence[str] = ()) -> tuple[Kernel, ...]:
-    """The kernels of a tier, of these names or of all, that call no libm."""
+    """The kernels of a tier, of these names or of all."""
     made = next((t for t in TIERS if t.name == tier), None)
-    chosen = [op for op in OPERATIONS if (not names or op.name in names)
-              and not plain_program(op).counts.keys() & LIBM]
+    chosen = [op for op in OPERATIONS if not names or op.name in names]
     return tuple(Kernel(made.operation(op) if made else op, precision, tier)
                  for precision in PRECISIONS for op in chosen
                  if not made or made.has(plain_program(op)))
@@ -112,7 +101,9 @@ def kernels(tier: str, names: Sequence[str] = ()) -> tuple[Kernel, ...]:
 
 def text(chosen: Sequence[Kernel], planes: bool = True) -> str:
     """The program; without `planes`, arrays of structs alone."""
-    parts = [_HEAD, *map(_of_precision, PRECISIONS)]
+    headers = sorted({f"ksl_{kernel.tier}" if kernel.tier else "ksl" for kernel in chosen})
+    parts = [HEAD, *(f"#include <ksl/{header}.h>" for header in headers),
+             *map(numbers_and_hashes, PRECISIONS)]
     for number, kernel in enumerate(chosen):
         parts.append(_function(kernel, f"rows_{number}", _rows(kernel)))
         if planes:
@@ -129,7 +120,8 @@ def wanted(chosen: Sequence[Kernel], planes: bool = True) -> list[str]:
             for layout in layouts]
 
 
-def _of_precision(precision: Precision) -> str:
+def numbers_and_hashes(precision: Precision) -> str:
+    """C's number_double, fill_double, hashed_double; for single precision, too."""
     digits = {"double": 53, "single": 24}[precision.name]
     f = precision.suffix
     return _OF_PRECISION.format(
@@ -186,7 +178,7 @@ def _shape(argument: Argument) -> str:
     return f"{rows}, {columns}"
 
 
-def _numbers(precision: Precision, argument: int, size: int) -> np.ndarray:
+def numbers(precision: Precision, argument: int, size: int) -> np.ndarray:
     """number_double, number_single: all rows of an argument."""
     digits = {"double": 53, "single": 24}[precision.name]
     k, i = np.meshgrid(np.arange(size), np.arange(ROWS))
@@ -205,14 +197,19 @@ def _twins(tier: str, precision: Precision) -> ModuleType:
 
 @functools.cache
 def _hash(kernel: Kernel) -> int:
-    inputs = [_numbers(kernel.precision, number, a.quantity.size).reshape(
+    inputs = [numbers(kernel.precision, number, a.quantity.size).reshape(
         (ROWS, *a.quantity.shape)) for number, a in enumerate(kernel.operation.inputs)]
-    with np.errstate(all="ignore"):
-        found = getattr(_twins(kernel.tier, kernel.precision), kernel.operation.name)(*inputs)
-    found = found if isinstance(found, tuple) else (found,)
+    twins = _twins(kernel.tier, kernel.precision)
+    with np.errstate(all="ignore"), stand_ins.in_numpy(twins.__name__):
+        found = getattr(twins, kernel.operation.name)(*inputs)
+    return hashed(found if isinstance(found, tuple) else (found,))
+
+
+def hashed(found: Sequence[np.ndarray]) -> int:
+    """hashed_double, hashed_single: of arrays of rows, one after the other."""
     value = 14695981039346656037
     for output in found:
-        bits = np.where(np.isnan(output), 1, output.view(f"u{kernel.precision.bytes}"))
+        bits = np.where(np.isnan(output), 1, output.view(f"u{output.itemsize}"))
         for word in bits.ravel().tolist():
             value = (value ^ word) * 1099511628211 % 2**64
     return value

@@ -1,5 +1,6 @@
 """Other processors: the same bits, from every function, with bare -O2, under qemu-user.
 
+What calls libm calls stand-ins, so that it is compared, too.
 And on a Cortex-M4F, whose double precision is software: single precision calls none of it.
 """
 
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests import scene_bits
 from tests.bits_program import Kernel, kernels, text, wanted
 from tests.c_harness import INCLUDE, in_parallel, run
 
@@ -65,6 +67,28 @@ def test_every_function_has_the_same_bits(architecture: str, right: list[str], t
     found = [line for binary in binaries
              for line in run((f"qemu-{architecture}", binary)).splitlines()]
     assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+@pytest.mark.parametrize("architecture", [x for x in COMPILERS if x != "arm"])
+def test_scenes_have_the_same_bits(architecture: str, tmp_path: Path):
+    """Where products are fused by default."""
+    needed(COMPILERS[architecture], f"qemu-{architecture}")
+    run((COMPILERS[architecture], "-O2", "-static", scene_bits.source(tmp_path),
+         "-o", tmp_path / "bits", "-lm"))
+    found = run((f"qemu-{architecture}", tmp_path / "bits")).splitlines()
+    right = scene_bits.wanted(tmp_path)
+    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+def test_floats_computed_in_double_are_refused(tmp_path: Path):
+    """As strict C has them on s390x, where 0.1f is 0.1."""
+    compiler = COMPILERS["s390x"]
+    needed(compiler)
+    (tmp_path / "user.c").write_text("#include <ksl/ksl.h>\n")
+    command = (compiler, "-std=c11", "-fsyntax-only", "-I", INCLUDE, tmp_path / "user.c")
+    with pytest.raises(pytest.fail.Exception, match="-fexcess-precision=fast"):
+        run(command)
+    run((*command, "-fexcess-precision=fast"))
 
 
 @pytest.mark.parametrize("tier", ("", "fused", "certified"))

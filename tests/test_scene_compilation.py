@@ -46,9 +46,15 @@ def test_what_python_calls_compiles_without_a_warning(case, compiler: str, tmp_p
          "-c", tmp_path / "calls.c", "-o", tmp_path / "x.o"])
 
 
-def test_fast_math_is_refused_unless_allowed(tmp_path: Path):
+@pytest.mark.skipif(COMPILERS[0] != "gcc", reason="these are flags of gcc's")
+@pytest.mark.parametrize("flag", ("-ffast-math", "-freciprocal-math", "-fno-signed-zeros",
+                                  "-ffinite-math-only", "-funsafe-math-optimizations",
+                                  "-fsingle-precision-constant", "-mfpmath=387"))
+def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
+    if flag.startswith("-m") and platform.machine() not in ("x86_64", "AMD64"):
+        return
     written(CASES["slider"](), tmp_path)
-    command = [COMPILERS[0], *C11, "-ffast-math",
+    command = [COMPILERS[0], *C11, flag,
                "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
     with pytest.raises(pytest.fail.Exception, match="SLIDER_ALLOW_FAST_MATH"):
         run(command)

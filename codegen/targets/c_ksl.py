@@ -5,13 +5,13 @@ it calls is made of the table of operations.
 """
 
 from fractions import Fraction
+from functools import partial
 
 import mpmath
 
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Program
-from coscrew_codegen.quantity import SCALAR, Argument
+from coscrew_codegen.program import Constant
 from coscrew_codegen.render import render
-from coscrew_codegen.targets.c_statements import Statements
+from coscrew_codegen.targets.c_statements import product
 from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
 from coscrew_codegen.targets.precision import Precision
 
@@ -72,13 +72,4 @@ def _holes(precision: Precision) -> dict[str, object]:
     return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
             "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
             "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
-            "noise": literal(NOISE[precision.name]),
-            "product": _product(precision)}
-
-
-def _product(precision: Precision) -> str:
-    """const double product = a * x[i]; as kernels spell products."""
-    program = Program("axpy", (Argument("a", SCALAR), Argument("x[i]", SCALAR)), (), (Instruction(
-        "product", Op.MUL, (Input(0, 0), Input(1, 0)), "product"),), ())
-    statements = Statements(program, precision, lambda x: program.inputs[x.argument].name)
-    return statements.declared(program.instructions, 100)
+            "noise": literal(NOISE[precision.name]), "times": partial(product, precision)}

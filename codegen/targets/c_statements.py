@@ -9,11 +9,11 @@ arguments are stored.
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
-from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
-                                     Ref)
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Operand, Program
+from coscrew_codegen.targets.precision import SINGLE, Precision
 
 WIDTH = 100
 
@@ -28,6 +28,11 @@ _SPELLING = {
     Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
+
+
+def product(precision: Precision, a: str, b: str) -> str:
+    """a b for texts that are no Programs: rounded on its own, never fused into a sum."""
+    return _SPELLING[Op.MUL].format(a, b, F=precision.suffix.upper())
 
 
 def comment_of(lines: Sequence[str]) -> str:
@@ -85,8 +90,13 @@ class Statements:
 
     def _exact(self, step: Instruction) -> bool:
         """Whether this is a product of two numbers of single precision, in double."""
-        return self.program.wide and step.op is Op.MUL and not any(
-            isinstance(x, Ref) for x in step.operands)
+        return self.program.wide and step.op is Op.MUL and all(map(self._single, step.operands))
+
+    def _single(self, operand: Operand) -> bool:
+        if isinstance(operand, Constant):
+            value = self.working.value(operand)
+            return Fraction(float(SINGLE.rounded(value))) == value
+        return isinstance(operand, Input)
 
     def operand(self, operand: Operand) -> str:
         """What stands for an operand, in the working precision."""

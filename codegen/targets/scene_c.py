@@ -16,7 +16,7 @@ from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
+from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed, product
 from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
 
@@ -40,7 +40,7 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     """The texts of arm.h and arm.c."""
     sections = [{"precision": p, "functions": _functions(scene, p)}
                 for p in named(scene.precisions)]
-    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 10000 major + 100 minor + patch */"),
+    macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
@@ -185,6 +185,7 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
     call = partial(_call, scene, precision)
     body = render(
         f"scene/{step.template}.c", real=real, nq=scene.nq, nv=scene.nv,
+        times=partial(product, precision),
         timed=scene_text.takes(accelerated, "t"), pushed=scene_text.takes(accelerated, "tau"),
         unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
         accelerate=partial(call, accelerated),

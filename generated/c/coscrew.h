@@ -11,19 +11,36 @@
 
 #if !defined(KSL_ALLOW_FAST_MATH)
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffast-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-freciprocal-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__NO_SIGNED_ZEROS__)
-#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-fno-signed-zeros breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
-#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#error "-ffinite-math-only breaks what is promised of NaN; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 1
+#error "floats are computed in double: compile with -fexcess-precision=fast; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
     (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
-#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+#error "-funsafe-math-optimizations or a part of it breaks the bits promised here; \
 define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
+__extension__ _Static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
+#elif defined(__GNUC__) && !defined(__clang__) && __cplusplus >= 201103L
+static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
 #endif
 #endif
 
@@ -3859,8 +3876,9 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
-  const ksl_vec3_t turned =
-      ksl_vec3(sign * angles->x, sign * angles->y, sign * angles->z);
+  const double x = KSL_MUL(sign, angles->x), y = KSL_MUL(sign, angles->y);
+  const double z = KSL_MUL(sign, angles->z);
+  const ksl_vec3_t turned = ksl_vec3(x, y, z);
   ksl_mat3x3_t R;
   if (axes.x < 0) {
     for (int i = 0; i < 9; i++) { r->as_array[i] = (double)NAN; }
@@ -3874,6 +3892,13 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   for (int column = 0; column < 3; column++) {
     for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
   }
+}
+
+/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+static inline double ksl_turns(
+    const double reference, const double below, const double angle, const double turn) {
+  const double least = reference - below, way = least - angle, turns = way / turn;
+  return ceil(turns);
 }
 
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
@@ -3907,13 +3932,19 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
     ksl_euler_xyz_from_mat3x3(&R, &found);
   }
   {
-    const double z = sign * found.z, turns = ceil((near.z - eighth - z) / half);
+    const double z = KSL_MUL(sign, found.z);
+    const double turns = ksl_turns(near.z, eighth, z, half);
     const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const double y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
-    const double x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
-    angles->x = x + whole * ceil((near.x - eighth - x) / whole);
-    angles->y = middle + whole * ceil((near.y - eighth - middle) / whole);
-    angles->z = z + half * turns;
+    const double y = KSL_MUL(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
+    const double straight = KSL_MUL(sign, found.x), shift = other ? half : 0;
+    const double x = straight + shift, middle = other ? flipped : y;
+    const double x_turns = ksl_turns(near.x, eighth, x, whole);
+    const double y_turns = ksl_turns(near.y, eighth, middle, whole);
+    const double to_x = KSL_MUL(whole, x_turns), to_y = KSL_MUL(whole, y_turns);
+    const double to_z = KSL_MUL(half, turns);
+    angles->x = x + to_x;
+    angles->y = middle + to_y;
+    angles->z = z + to_z;
   }
 }
 
@@ -3928,8 +3959,9 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
-  const ksl_vec3f_t turned =
-      ksl_vec3f(sign * angles->x, sign * angles->y, sign * angles->z);
+  const float x = KSL_MULF(sign, angles->x), y = KSL_MULF(sign, angles->y);
+  const float z = KSL_MULF(sign, angles->z);
+  const ksl_vec3f_t turned = ksl_vec3f(x, y, z);
   ksl_mat3x3f_t R;
   if (axes.x < 0) {
     for (int i = 0; i < 9; i++) { r->as_array[i] = (float)NAN; }
@@ -3943,6 +3975,13 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   for (int column = 0; column < 3; column++) {
     for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
   }
+}
+
+/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+static inline float ksl_turnsf(
+    const float reference, const float below, const float angle, const float turn) {
+  const float least = reference - below, way = least - angle, turns = way / turn;
+  return ceilf(turns);
 }
 
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
@@ -3976,13 +4015,19 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
     ksl_euler_xyz_from_mat3x3f(&R, &found);
   }
   {
-    const float z = sign * found.z, turns = ceilf((near.z - eighth - z) / half);
+    const float z = KSL_MULF(sign, found.z);
+    const float turns = ksl_turnsf(near.z, eighth, z, half);
     const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const float y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
-    const float x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
-    angles->x = x + whole * ceilf((near.x - eighth - x) / whole);
-    angles->y = middle + whole * ceilf((near.y - eighth - middle) / whole);
-    angles->z = z + half * turns;
+    const float y = KSL_MULF(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
+    const float straight = KSL_MULF(sign, found.x), shift = other ? half : 0;
+    const float x = straight + shift, middle = other ? flipped : y;
+    const float x_turns = ksl_turnsf(near.x, eighth, x, whole);
+    const float y_turns = ksl_turnsf(near.y, eighth, middle, whole);
+    const float to_x = KSL_MULF(whole, x_turns), to_y = KSL_MULF(whole, y_turns);
+    const float to_z = KSL_MULF(half, turns);
+    angles->x = x + to_x;
+    angles->y = middle + to_y;
+    angles->z = z + to_z;
   }
 }
 
@@ -16282,7 +16327,7 @@ static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
      ksl_quaternion_interpolated goes the shorter way. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
-  const double k = *t, twice = 2 * k;
+  const double k = *t, twice = KSL_MUL(2, k);
   if (ksl_dot_qq(q1i, q2i) >= 0) {
     ksl_quaternion_interpolated(q1i, q2i, k, qo);
   } else { /* by way of the middle: either half is the shorter arc */
@@ -16302,8 +16347,8 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
 static inline void ksl_quaternion_squad(
     ksl_quaternion_t qi[4], double *t, ksl_quaternion_t *qo) {
   ksl_quaternion_t ends, inner;
-  const double rest = 1 - *t, twice = 2 * *t;
-  double k = twice * rest;
+  const double rest = 1 - *t, twice = KSL_MUL(2, *t);
+  double k = KSL_MUL(twice, rest);
   ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
   ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
   ksl_quaternion_slerp(&ends, &inner, &k, qo);
@@ -16350,7 +16395,7 @@ static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
      ksl_quaternionf_interpolated goes the shorter way. */
 static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
-  const float k = *t, twice = 2 * k;
+  const float k = *t, twice = KSL_MULF(2, k);
   if (ksl_dot_qqf(q1i, q2i) >= 0) {
     ksl_quaternionf_interpolated(q1i, q2i, k, qo);
   } else { /* by way of the middle: either half is the shorter arc */
@@ -16370,8 +16415,8 @@ static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
 static inline void ksl_squadf(
     ksl_quaternionf_t qi[4], float *t, ksl_quaternionf_t *qo) {
   ksl_quaternionf_t ends, inner;
-  const float rest = 1 - *t, twice = 2 * *t;
-  float k = twice * rest;
+  const float rest = 1 - *t, twice = KSL_MULF(2, *t);
+  float k = KSL_MULF(twice, rest);
   ksl_slerpf(&qi[0], &qi[3], t, &ends);
   ksl_slerpf(&qi[1], &qi[2], t, &inner);
   ksl_slerpf(&ends, &inner, &k, qo);
@@ -22847,7 +22892,7 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   double least;
   int rank = 0;
   ksl_mat3x3_pca(&D, &L);
-  least = 1.4210854715202004e-14 * D.m00;
+  least = KSL_MUL(1.4210854715202004e-14, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (double)NAN;
     return -1;
@@ -22894,7 +22939,7 @@ static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
   float least;
   int rank = 0;
   ksl_mat3x3f_pca(&D, &L);
-  least = 7.6293945e-06f * D.m00;
+  least = KSL_MULF(7.6293945e-06f, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (float)NAN;
     return -1;

@@ -11,19 +11,36 @@
 
 #if !defined(KSL_ALLOW_FAST_MATH)
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "-ffast-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-ffast-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__RECIPROCAL_MATH__)
-#error "-freciprocal-math breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-freciprocal-math breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__NO_SIGNED_ZEROS__)
-#error "-fno-signed-zeros breaks the bits promised here; define KSL_ALLOW_FAST_MATH to accept that"
+#error "-fno-signed-zeros breaks the bits promised here; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#error "-ffinite-math-only breaks what is promised of NaN; define KSL_ALLOW_FAST_MATH to accept that"
-#elif defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
-#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse, or define KSL_ALLOW_FAST_MATH"
+#error "-ffinite-math-only breaks what is promised of NaN; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 1
+#error "floats are computed in double: compile with -fexcess-precision=fast; \
+define KSL_ALLOW_FAST_MATH to accept that"
+#elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "the x87 rounds twice: compile with -msse2 -mfpmath=sse; \
+define KSL_ALLOW_FAST_MATH to accept that"
 #elif defined(__GNUC__) && !defined(__clang__) && !defined(__STRICT_ANSI__) && \
     (defined(__x86_64__) || defined(__aarch64__)) && __GCC_IEC_559 == 0
-#error "-funsafe-math-optimizations or -fsingle-precision-constant breaks the bits promised here; \
+#error "-funsafe-math-optimizations or a part of it breaks the bits promised here; \
 define KSL_ALLOW_FAST_MATH to accept that"
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
+__extension__ _Static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
+#elif defined(__GNUC__) && !defined(__clang__) && __cplusplus >= 201103L
+static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
+    "-fsingle-precision-constant breaks the bits promised here; "
+    "define KSL_ALLOW_FAST_MATH to accept that");
 #endif
 #endif
 

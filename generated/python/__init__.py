@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "0be1b34937a21545")
+COMPILED: bool = is_compiled("coscrew._gufunc", "1537837011e213ea")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -908,7 +908,7 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   double least;
   int rank = 0;
   ksl_mat3x3_pca(&D, &L);
-  least = 1.4210854715202004e-14 * D.m00;
+  least = KSL_MUL(1.4210854715202004e-14, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (double)NAN;
     return -1;
@@ -955,7 +955,7 @@ static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
   float least;
   int rank = 0;
   ksl_mat3x3f_pca(&D, &L);
-  least = 7.6293945e-06f * D.m00;
+  least = KSL_MULF(7.6293945e-06f, D.m00);
   if (!(D.m22 >= -least)) {
     self->Ixx = self->Iyy = self->Izz = self->Ixy = self->Iyz = self->Izx = (float)NAN;
     return -1;

@@ -1862,8 +1862,9 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
-  const ksl_vec3_t turned =
-      ksl_vec3(sign * angles->x, sign * angles->y, sign * angles->z);
+  const double x = KSL_MUL(sign, angles->x), y = KSL_MUL(sign, angles->y);
+  const double z = KSL_MUL(sign, angles->z);
+  const ksl_vec3_t turned = ksl_vec3(x, y, z);
   ksl_mat3x3_t R;
   if (axes.x < 0) {
     for (int i = 0; i < 9; i++) { r->as_array[i] = (double)NAN; }
@@ -1877,6 +1878,13 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   for (int column = 0; column < 3; column++) {
     for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
   }
+}
+
+/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+static inline double ksl_turns(
+    const double reference, const double below, const double angle, const double turn) {
+  const double least = reference - below, way = least - angle, turns = way / turn;
+  return ceil(turns);
 }
 
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
@@ -1910,13 +1918,19 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
     ksl_euler_xyz_from_mat3x3(&R, &found);
   }
   {
-    const double z = sign * found.z, turns = ceil((near.z - eighth - z) / half);
+    const double z = KSL_MUL(sign, found.z);
+    const double turns = ksl_turns(near.z, eighth, z, half);
     const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const double y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
-    const double x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
-    angles->x = x + whole * ceil((near.x - eighth - x) / whole);
-    angles->y = middle + whole * ceil((near.y - eighth - middle) / whole);
-    angles->z = z + half * turns;
+    const double y = KSL_MUL(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
+    const double straight = KSL_MUL(sign, found.x), shift = other ? half : 0;
+    const double x = straight + shift, middle = other ? flipped : y;
+    const double x_turns = ksl_turns(near.x, eighth, x, whole);
+    const double y_turns = ksl_turns(near.y, eighth, middle, whole);
+    const double to_x = KSL_MUL(whole, x_turns), to_y = KSL_MUL(whole, y_turns);
+    const double to_z = KSL_MUL(half, turns);
+    angles->x = x + to_x;
+    angles->y = middle + to_y;
+    angles->z = z + to_z;
   }
 }
 
@@ -1931,8 +1945,9 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
-  const ksl_vec3f_t turned =
-      ksl_vec3f(sign * angles->x, sign * angles->y, sign * angles->z);
+  const float x = KSL_MULF(sign, angles->x), y = KSL_MULF(sign, angles->y);
+  const float z = KSL_MULF(sign, angles->z);
+  const ksl_vec3f_t turned = ksl_vec3f(x, y, z);
   ksl_mat3x3f_t R;
   if (axes.x < 0) {
     for (int i = 0; i < 9; i++) { r->as_array[i] = (float)NAN; }
@@ -1946,6 +1961,13 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   for (int column = 0; column < 3; column++) {
     for (int row = 0; row < 3; row++) { r->at[own[column]][own[row]] = R.at[column][row]; }
   }
+}
+
+/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+static inline float ksl_turnsf(
+    const float reference, const float below, const float angle, const float turn) {
+  const float least = reference - below, way = least - angle, turns = way / turn;
+  return ceilf(turns);
 }
 
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
@@ -1979,13 +2001,19 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
     ksl_euler_xyz_from_mat3x3f(&R, &found);
   }
   {
-    const float z = sign * found.z, turns = ceilf((near.z - eighth - z) / half);
+    const float z = KSL_MULF(sign, found.z);
+    const float turns = ksl_turnsf(near.z, eighth, z, half);
     const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const float y = sign * found.y, flipped = axes.x == axes.z ? -y : half - y;
-    const float x = sign * found.x + (other ? half : 0), middle = other ? flipped : y;
-    angles->x = x + whole * ceilf((near.x - eighth - x) / whole);
-    angles->y = middle + whole * ceilf((near.y - eighth - middle) / whole);
-    angles->z = z + half * turns;
+    const float y = KSL_MULF(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
+    const float straight = KSL_MULF(sign, found.x), shift = other ? half : 0;
+    const float x = straight + shift, middle = other ? flipped : y;
+    const float x_turns = ksl_turnsf(near.x, eighth, x, whole);
+    const float y_turns = ksl_turnsf(near.y, eighth, middle, whole);
+    const float to_x = KSL_MULF(whole, x_turns), to_y = KSL_MULF(whole, y_turns);
+    const float to_z = KSL_MULF(half, turns);
+    angles->x = x + to_x;
+    angles->y = middle + to_y;
+    angles->z = z + to_z;
   }
 }
 

@@ -2919,7 +2919,7 @@ static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
      ksl_quaternion_interpolated goes the shorter way. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
-  const double k = *t, twice = 2 * k;
+  const double k = *t, twice = KSL_MUL(2, k);
   if (ksl_dot_qq(q1i, q2i) >= 0) {
     ksl_quaternion_interpolated(q1i, q2i, k, qo);
   } else { /* by way of the middle: either half is the shorter arc */
@@ -2939,8 +2939,8 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
 static inline void ksl_quaternion_squad(
     ksl_quaternion_t qi[4], double *t, ksl_quaternion_t *qo) {
   ksl_quaternion_t ends, inner;
-  const double rest = 1 - *t, twice = 2 * *t;
-  double k = twice * rest;
+  const double rest = 1 - *t, twice = KSL_MUL(2, *t);
+  double k = KSL_MUL(twice, rest);
   ksl_quaternion_slerp(&qi[0], &qi[3], t, &ends);
   ksl_quaternion_slerp(&qi[1], &qi[2], t, &inner);
   ksl_quaternion_slerp(&ends, &inner, &k, qo);
@@ -2987,7 +2987,7 @@ static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
      ksl_quaternionf_interpolated goes the shorter way. */
 static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
-  const float k = *t, twice = 2 * k;
+  const float k = *t, twice = KSL_MULF(2, k);
   if (ksl_dot_qqf(q1i, q2i) >= 0) {
     ksl_quaternionf_interpolated(q1i, q2i, k, qo);
   } else { /* by way of the middle: either half is the shorter arc */
@@ -3007,8 +3007,8 @@ static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
 static inline void ksl_squadf(
     ksl_quaternionf_t qi[4], float *t, ksl_quaternionf_t *qo) {
   ksl_quaternionf_t ends, inner;
-  const float rest = 1 - *t, twice = 2 * *t;
-  float k = twice * rest;
+  const float rest = 1 - *t, twice = KSL_MULF(2, *t);
+  float k = KSL_MULF(twice, rest);
   ksl_slerpf(&qi[0], &qi[3], t, &ends);
   ksl_slerpf(&qi[1], &qi[2], t, &inner);
   ksl_slerpf(&ends, &inner, &k, qo);
