@@ -2148,8 +2148,8 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
-    s| <= 1e13, in single precision 1e5; searched, not proved.
+    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
+    of s| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2197,7 +2197,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
 
