@@ -2,7 +2,8 @@
 
    The kernel, its domain and its truth in long double are in the file CASE, made by tests.climb.
    climb SEED SECONDS [PARAMETERS …], the parameters of earlier champions, prints for each group of
-   results: number, error in u, parameters, inputs, outputs.  Time is the processor's. */
+   results: its error in u, parameters, inputs, outputs; and then rows of inputs and outputs that
+   it cannot judge.  Time is the processor's. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,6 +12,7 @@
 #include <time.h>
 
 #include CASE
+#define SUSPECTS 8
 
 static uint64_t state;
 
@@ -73,6 +75,18 @@ static void a_lever(double *x) {
   for (int i = 0; i < 3; i++) { x[i] *= size * (uneven ? exp2(uniform(-30, 0)) : 1); }
 }
 
+/* A third combination of two rows, but for little; or any. */
+static void rows(double *p) {
+  const double a = normal(), b = below(3) ? normal() : 0, off = exp2(-uniform(0, 60));
+  for (int i = 0; i < 3; i++) { a_lever(p + 3 * i); }
+  if (below(2)) {
+    const int last = 3 * below(3), first = (last + 3) % 9, second = (last + 6) % 9;
+    for (int i = 0; i < 3; i++) {
+      p[last + i] = a * p[first + i] + b * p[second + i] + off * p[last + i];
+    }
+  }
+}
+
 static void draw(double *p) {
   for (const char *kind = KINDS; *kind; kind++) {
     switch (*kind) {
@@ -89,6 +103,7 @@ static void draw(double *p) {
         p += 4;
         break;
       }
+      case 'r': rows(p); p += 9; break;
       case 'm': p[0] = below(2) ? uniform(-20, 20) : 0; p += 1; break;
     }
   }
@@ -108,17 +123,28 @@ static double changed(double x, double other) {
 
 static REAL inputs[INPUTS], outputs[OUTPUTS];
 
-/* The error of a group, in u; negative where it tells nothing: NaN, or another branch near π. */
+/* Inputs whose errors tell nothing here: NaN, or so large that it may be another branch near π. */
+static REAL suspects[2][SUSPECTS][INPUTS + OUTPUTS];
+static uint64_t seen[2];
+
+static void suspect(int finite) { /* each that is seen is kept with the same probability */
+  const uint64_t n = seen[finite]++, at = n < SUSPECTS ? n : bits() % (n + 1);
+  if (at >= SUSPECTS) { return; }
+  memcpy(suspects[finite][at], inputs, sizeof inputs);
+  memcpy(suspects[finite][at] + INPUTS, outputs, sizeof outputs);
+}
+
+/* The error of a group, in u; negative where it tells nothing. */
 static double error_of(const double *p, int group) {
-  long double truth[OUTPUTS], size = 0, worst = 0;
+  long double errors[JUDGED], sizes[JUDGED], size = 0, worst = 0;
   made(p, inputs);
   evaluate(inputs, outputs);
-  judged(inputs, truth);
-  for (int i = 0; i < OUTPUTS; i++) {
+  judged(inputs, outputs, errors, sizes);
+  for (int i = 0; i < JUDGED; i++) {
     if (PLACES[group][i]) {
-      const long double error = fabsl((long double)outputs[i] - truth[i]);
-      size = fmaxl(size, fabsl(truth[i]));
-      worst = error > worst ? error : worst;
+      size = fmaxl(size, fabsl(sizes[i]));
+      worst = errors[i] <= worst ? worst : errors[i];
+      if (isnan(worst)) { return suspect(0), -1; }
     }
   }
   for (int i = 0; i < INPUTS; i++) {
@@ -126,7 +152,7 @@ static double error_of(const double *p, int group) {
   }
   if (!(size > LEAST)) { return 0; }
   const double found = (double)(worst / (size * (long double)U));
-  return found < 1000 ? found / (1 + SLOPE[group] * turned(inputs)) : -1;
+  return found < 1000 ? found / (1 + SLOPE[group] * turned(inputs)) : (suspect(1), -1);
 }
 
 static double champion[GROUPS][PARAMETERS], best[GROUPS];
@@ -172,11 +198,18 @@ int main(int count, char **words) {
   }
   for (int n = 0; n < GROUPS || (double)clock() / CLOCKS_PER_SEC < seconds; n++) { climb(n % GROUPS); }
   for (int g = 0; g < GROUPS; g++) {
-    printf("%d %.6f", g, error_of(champion[g], g));
+    printf("%.6f", error_of(champion[g], g));
     for (int i = 0; i < PARAMETERS; i++) { printf(" %a", champion[g][i]); }
     for (int i = 0; i < INPUTS; i++) { printf(" %a", (double)inputs[i]); }
     for (int i = 0; i < OUTPUTS; i++) { printf(" %a", (double)outputs[i]); }
     printf("\n");
+  }
+  for (int kind = 0; kind < 2; kind++) {
+    for (uint64_t n = 0; n < seen[kind] && n < SUSPECTS; n++) {
+      printf("?");
+      for (int i = 0; i < INPUTS + OUTPUTS; i++) { printf(" %a", (double)suspects[kind][n][i]); }
+      printf("\n");
+    }
   }
   return 0;
 }

@@ -18,6 +18,7 @@ from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
 from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
+from tests import backward
 from tests.attack import TIERED, UNIT, bounds, exact_functions, plain_program
 from tests.domains import angle, defect
 from tests.truths import Components, other_way, truth
@@ -46,7 +47,8 @@ class Group:
     slope: float = 0
 
 
-JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise or op.name in RELATIVE)
+JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise
+               or op.name in RELATIVE or op.name in backward.BACKWARD)
 
 
 @functools.cache
@@ -84,6 +86,9 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
                    _certified(operation, given, got[:half], got[half:]))
     if operation in TIERED:
         return _polynomial(operation, precision, tier, given, got)
+    if operation.name in backward.BACKWARD:
+        slack = extra + DEFECT * _defect_in_u(operation, precision, given)
+        return backward.ratio(operation, precision, given, got, slack)
     try:
         expected = truth(operation, precision, tuple(given))
     except ZeroDivisionError:

@@ -122,12 +122,28 @@ def nearest(x: Fraction, number: Format) -> Fraction:
     return round(x / unit) * unit  # of two, the even one
 
 
+CHAINS, TOY_DIGITS = ("x + a", "x * a", "x * a + b", "(x + a) * (x + b)"), 11
+
+
+def chain(step: str, length: int = 12) -> Program:
+    """x = step of x, again and again from c; each x is a result."""
+    arguments, steps = tuple(Argument(name, SCALAR) for name in "abc"), []
+    a, b, x = (_Recorder(steps, Input(n, 0)) for n in range(3))
+    results = []
+    for _ in range(length if "(" not in step else 4):
+        x = eval(step, {"a": a, "b": b, "x": x})
+        results.append(x.operand)
+    outputs = tuple(Argument(f"x{i}", SCALAR) for i in range(len(results)))
+    return Program("chain", arguments, outputs, tuple(steps), tuple(results))
+
+
 @cache
 def constants(number: Format) -> dict[Fraction, Fraction]:
-    """g → C of every result of every certified kernel, g from the roundings as the proof says."""
+    """g → C of every result of every certified kernel, g from the roundings as the proof says; in
+    toy formats also of longer and longer sums and products, so that many a g is next to a C."""
     found = {}
-    for operation in TIERED:
-        plain = plain_program(operation)
+    chains = tuple(map(chain, CHAINS)) if number.digits <= TOY_DIGITS else ()
+    for plain in (*map(plain_program, TIERED), *chains):
         made = certified(plain, number)
         steps = {step.name: step for step in made.instructions}
         growth = _growth(plain, number)
@@ -166,13 +182,15 @@ def _growth(plain: Program, number: Format):
     return lambda x: padded(*parts(x))
 
 
-@pytest.mark.parametrize("number", [DOUBLE, SINGLE, Format(8, -20), Format(5, -20)], ids=str)
+@pytest.mark.parametrize("number", [DOUBLE, SINGLE, Format(8, -40), Format(7, -40), Format(5, -40)],
+                         ids=str)
 def test_the_product_with_c_is_rounded_to_no_less_than_it_stands_for(number: Format):
-    if number.digits <= 11:
+    if number.digits <= TOY_DIGITS:
         some = [Fraction(m) for m in range(2**(number.digits - 1), 2**number.digits)]
     tight = Fraction(1)
     for g, C in constants(number).items():
-        for s in some if number.digits <= 11 else sizes(C, number):
+        assert C == number.rounded_up((1 + number.u) * g)  # no less, nor more than the proof needs
+        for s in some if number.digits <= TOY_DIGITS else sizes(C, number):
             assert nearest(C * s, number) >= g * s, (g, C, s)
             tight = min(tight, nearest(C * s, number) / (g * s) - 1)
     assert tight < 4 * number.u  # and hardly more: such s were tried

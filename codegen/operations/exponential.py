@@ -100,10 +100,10 @@ _ROTATIONS = (
         _exp, _bound_exp, (Normwise("R", 6, per_angle=200),)),
     _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
         "as much as R", (_R,), (_vo,), _log_of,
-        lambda let, R: _log(let, R)[0], (Normwise("vo", 6),)),
+        lambda let, R: _log(let, R)[0], (Normwise("vo", 7),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
-          partial(_bound_jacobian, sign), (Normwise("R", 6, per_angle=200),))
+          partial(_bound_jacobian, sign), (Normwise("R", 7, per_angle=200),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
           "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",
@@ -218,7 +218,7 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (Normwise("R", 6, per_angle=200), Normwise("t", 8, ("s.lin",), 200))),
+        (Normwise("R", 6, per_angle=200), Normwise("t", 14, ("s.lin",), 200))),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
         _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8))),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
@@ -231,7 +231,7 @@ _DISPLACEMENTS = (
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (Normwise("R", 16), Normwise("t", 30, ("D1.t", "D2.t")))),
+        (Normwise("R", 20), Normwise("t", 45, ("D1.t", "D2.t")))),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

@@ -78,7 +78,10 @@ def _orthonormal_rows(let: Let, R: sp.Matrix) -> sp.Matrix:
 _GRAM_SCHMIDT = ("orthonormal rows by Gram and Schmidt: the first keeps its direction, the second "
                  "its side of it, the third its side of both; NaN where rows depend on each other "
                  "to rounding")
-_ROWS = "Rows are perpendicular, and of length 1, but for 4 u; searched, not proved."
+ORTHONORMAL = 8
+"""In u: how far products of rows, and their squares, are from 0 and 1 at most; searched."""
+_ROWS = (f"Rows are perpendicular, and of length 1, but for {ORTHONORMAL} u; searched, not "
+         "proved.")
 
 
 OPERATIONS = (

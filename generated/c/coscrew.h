@@ -2292,7 +2292,7 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -2426,7 +2426,7 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -2635,7 +2635,7 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
@@ -2695,7 +2695,7 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
@@ -2721,7 +2721,7 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00;
@@ -3150,7 +3150,7 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_size_0 = fabsf(self->m00);
   const float q0_s_size_1 = fabsf(self->m01);
@@ -3284,7 +3284,7 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float q0_s_size_0 = fabsf(R->m00);
   const float q0_s_size_1 = fabsf(R->m01);
@@ -3493,7 +3493,7 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_b = KSL_MULF(R->m01, R->m01), n_c = n_a + n_b,
@@ -3553,7 +3553,7 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_b = KSL_MULF(R->m02, R->m02), n_c = n_a + n_b,
@@ -3579,7 +3579,7 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float twice = KSL_MULF(2.0f, A->m10);
   const float apart = A->m11 - A->m00;
@@ -14420,7 +14420,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -15892,7 +15892,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -16559,7 +16559,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -16623,7 +16623,7 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -16738,7 +16738,7 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double size_0 = fabs(v->x);
@@ -17213,7 +17213,7 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
-   Error <= R: (6 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
      larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double size_0 = fabs(s->m3);
@@ -18325,7 +18325,7 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is larger for
+   Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is larger for
      D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
@@ -18771,7 +18771,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;
@@ -18834,7 +18834,7 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -18949,7 +18949,7 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float size_0 = fabsf(v->x);
@@ -19425,7 +19425,7 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
-   Error <= R: (6 + θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is
+   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
      larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float size_0 = fabsf(s->m3);
@@ -20527,7 +20527,7 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is larger for
+   Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is larger for
      D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {

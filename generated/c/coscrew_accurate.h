@@ -2633,7 +2633,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
    self: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -3216,7 +3216,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
    R, Ro: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -3890,7 +3890,7 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
      less, 6 equal, 14 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
@@ -4008,7 +4008,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
      equal, 14 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
@@ -4127,7 +4127,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    A, V: rotation or other 3×3 matrix.
    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
@@ -4700,7 +4700,7 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
   const double q0_s_size_1 = fabs((double)self->m01);
@@ -4834,7 +4834,7 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
   const double q0_s_size_1 = fabs((double)R->m01);
@@ -5008,7 +5008,7 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
@@ -5034,7 +5034,7 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
@@ -5061,7 +5061,7 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const double twice = 2.0 * (double)A->m10;
   const double apart = (double)A->m11 - (double)A->m00;
@@ -18743,7 +18743,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -20223,7 +20223,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
@@ -20385,7 +20385,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
    R: rotation or other 3×3 matrix; vo: vector.
    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 10 equal, 58 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -21333,7 +21333,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;

@@ -1222,13 +1222,13 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
     "11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=\n"
-    "vo: 6 u of its largest component for R a rotation; searched, not proved.\n",
+    "vo: 7 u of its largest component for R a rotation; searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3)",
     "R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
-    "60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +\n"
+    "60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +\n"
     "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
     "proved.\n",
    1, 1, SO3_leftJacobian_loops},
@@ -1237,7 +1237,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:\n"
-    "(6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,\n"
+    "(7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,\n"
     "not proved.\n",
    1, 1, SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3)",
@@ -1275,8 +1275,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
     "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +\n"
-    "θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of\n"
-    "s| <= 1e13, in single precision 1e5; searched, not proved.\n",
+    "θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω\n"
+    "of s| <= 1e13, in single precision 1e5; searched, not proved.\n",
    1, 1, SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
@@ -1318,7 +1318,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
-    "select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is\n"
+    "select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is\n"
     "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

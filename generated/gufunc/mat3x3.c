@@ -1466,7 +1466,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
-    "perpendicular, and of length 1, but for 4 u; searched, not proved.\n",
+    "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
     "Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
@@ -1474,7 +1474,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
-    "perpendicular, and of length 1, but for 4 u; searched, not proved.\n",
+    "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
     "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).\n"
@@ -1495,7 +1495,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these\n"
-    "angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
@@ -1509,7 +1509,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R\n"
-    "but for 6 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "but for 12 u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
@@ -1518,7 +1518,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
     "21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same\n"
-    "before| <= 12 u max |A| for orthonormal V; searched, not proved.\n",
+    "before| <= 28 u max |A| for orthonormal V; searched, not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
     "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"

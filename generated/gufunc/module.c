@@ -79,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "1537837011e213ea") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "7a727c96f5ab3429") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -4815,7 +4815,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest\n"
+    "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest\n"
     "component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "1537837011e213ea")
+COMPILED: bool = is_compiled("coscrew._gufunc", "7a727c96f5ab3429")
 
 if COMPILED:
     from coscrew._gufunc import (

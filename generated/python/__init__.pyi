@@ -335,7 +335,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) ->
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
 
 def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -344,7 +344,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -368,7 +368,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -384,7 +384,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
-    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -394,7 +394,7 @@ def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | 
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
-    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    before| <= 28 u max |A| for orthonormal V; searched, not proved.
     """
 
 def SE3_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2009,7 +2009,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
     component for R a rotation; searched, not proved.
     """
 
@@ -2071,14 +2071,14 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 6 u of its largest component for R a rotation; searched, not proved.
+    vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +
     θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
@@ -2088,7 +2088,7 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
-    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
+    (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
     not proved.
     """
 
@@ -2148,8 +2148,8 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
-    s| <= 1e13, in single precision 1e5; searched, not proved.
+    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
+    of s| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2197,7 +2197,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
 

@@ -230,7 +230,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
     "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
-    "less, 10 equal, 58 select.  Error <= vo: 6 u of its largest component for R a rotation;\n"
+    "less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;\n"
     "searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",

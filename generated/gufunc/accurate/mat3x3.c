@@ -736,7 +736,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not\n"
     "proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
@@ -745,7 +745,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not\n"
+    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not\n"
     "proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
@@ -761,8 +761,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2\n"
-    "less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near\n"
-    "gimbal lock too; searched, not proved.\n",
+    "less, 6 equal, 14 select.  The rotation by these angles is R but for 12 u in each entry,\n"
+    "near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
@@ -770,7 +770,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6\n"
-    "equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal\n"
+    "equal, 14 select.  The rotation by these angles is R but for 12 u in each entry, near gimbal\n"
     "lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
@@ -780,7 +780,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
     "51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
-    "equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,\n"
+    "equal, 18 select.  |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched,\n"
     "not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",

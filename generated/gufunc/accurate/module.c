@@ -77,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "ae426b71de165114") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "f005c5a4cf67ec6e") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

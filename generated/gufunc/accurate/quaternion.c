@@ -4324,7 +4324,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
-    "select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.\n",
+    "select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "ae426b71de165114")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f005c5a4cf67ec6e")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -240,7 +240,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) ->
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
     proved.
     """
 
@@ -250,7 +250,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
     proved.
     """
 
@@ -268,8 +268,8 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-    less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near
-    gimbal lock too; searched, not proved.
+    less, 6 equal, 14 select.  The rotation by these angles is R but for 12 u in each entry,
+    near gimbal lock too; searched, not proved.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -278,7 +278,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-    equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal
+    equal, 14 select.  The rotation by these angles is R but for 12 u in each entry, near gimbal
     lock too; searched, not proved.
     """
 
@@ -289,7 +289,7 @@ def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | 
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
-    equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
+    equal, 18 select.  |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched,
     not proved.
     """
 
@@ -1607,7 +1607,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.
+    select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1634,7 +1634,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 10 equal, 58 select.  Error <= vo: 6 u of its largest component for R a rotation;
+    less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;
     searched, not proved.
     """
 

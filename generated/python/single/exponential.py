@@ -130,7 +130,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 6 u of its largest component for R a rotation; searched, not proved.
+    vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -193,7 +193,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (6 +
+    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +
     θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
     proved.
     """
@@ -329,7 +329,7 @@ def SO3_rightJacobian(v):
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
-    (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
+    (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
     not proved.
     """
     v_0, v_1, v_2 = v
@@ -746,8 +746,8 @@ def SE3_exp(s):
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (8 + θ/200) u of its largest component, or of s.lin if that is larger for |ω of
-    s| <= 1e13, in single precision 1e5; searched, not proved.
+    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
+    of s| <= 1e13, in single precision 1e5; searched, not proved.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1771,7 +1771,7 @@ def SE3_interpolated(D1, D2, k):
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 16 u, t: 30 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1

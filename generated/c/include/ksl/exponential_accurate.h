@@ -12,7 +12,7 @@
    R: rotation or other 3×3 matrix; vo: vector.
    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 10 equal, 58 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -960,7 +960,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 /* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
-   Error <= vo: 6 u of its largest component for R a rotation; searched, not proved. */
+   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const double p_0 = (double)R->m21 - (double)R->m12;
   const double p_1 = (double)R->m02 - (double)R->m20;

@@ -278,7 +278,7 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -412,7 +412,7 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -621,7 +621,7 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
@@ -681,7 +681,7 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
@@ -707,7 +707,7 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00;
@@ -1136,7 +1136,7 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_size_0 = fabsf(self->m00);
   const float q0_s_size_1 = fabsf(self->m01);
@@ -1270,7 +1270,7 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float q0_s_size_0 = fabsf(R->m00);
   const float q0_s_size_1 = fabsf(R->m01);
@@ -1479,7 +1479,7 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_b = KSL_MULF(R->m01, R->m01), n_c = n_a + n_b,
@@ -1539,7 +1539,7 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_b = KSL_MULF(R->m02, R->m02), n_c = n_a + n_b,
@@ -1565,7 +1565,7 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float twice = KSL_MULF(2.0f, A->m10);
   const float apart = A->m11 - A->m00;

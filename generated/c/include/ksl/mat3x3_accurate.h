@@ -352,7 +352,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
    self: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -935,7 +935,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
    R, Ro: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -1609,7 +1609,7 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
      less, 6 equal, 14 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
@@ -1727,7 +1727,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
      equal, 14 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
@@ -1846,7 +1846,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    A, V: rotation or other 3×3 matrix.
    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
@@ -2419,7 +2419,7 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
      side of it, the third its side of both; NaN where rows depend on each other to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
   const double q0_s_size_1 = fabs((double)self->m01);
@@ -2553,7 +2553,7 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
      of it, the third its side of both; NaN where rows depend on each other to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 4 u; searched, not proved. */
+   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
   const double q0_s_size_1 = fabs((double)R->m01);
@@ -2727,7 +2727,7 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
@@ -2753,7 +2753,7 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 6 u in each entry, near gimbal lock too; searched,
+   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
@@ -2780,7 +2780,7 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched, not proved. */
+   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const double twice = 2.0 * (double)A->m10;
   const double apart = (double)A->m11 - (double)A->m00;

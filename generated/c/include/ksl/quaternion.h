@@ -1012,7 +1012,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12;
   const double p_1 = R->m02 - R->m20;
@@ -2484,7 +2484,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
   const float p_0 = R->m21 - R->m12;
   const float p_1 = R->m02 - R->m20;

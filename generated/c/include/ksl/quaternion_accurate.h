@@ -2413,7 +2413,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
     ksl_quaternion_t *qo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -3893,7 +3893,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
 /* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
-   Error <= qo: 5 u of its largest component for R a rotation; searched, not proved. */
+   Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
     ksl_quaternionf_t *qo) {
   const double p_0 = (double)R->m21 - (double)R->m12;

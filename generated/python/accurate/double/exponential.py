@@ -17,7 +17,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 10 equal, 58 select.  Error <= vo: 6 u of its largest component for R a rotation;
+    less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;
     searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R

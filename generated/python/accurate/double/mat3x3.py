@@ -357,7 +357,7 @@ def mat3x3_normalize(self):
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
     proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
@@ -894,7 +894,7 @@ def mat3x3_normalized(R):
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 4 u; searched, not
+    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
     proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -1517,8 +1517,8 @@ def euler_xyz_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-    less, 6 equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near
-    gimbal lock too; searched, not proved.
+    less, 6 equal, 14 select.  The rotation by these angles is R but for 12 u in each entry,
+    near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -1621,7 +1621,7 @@ def euler_xyx_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-    equal, 14 select.  The rotation by these angles is R but for 6 u in each entry, near gimbal
+    equal, 14 select.  The rotation by these angles is R but for 12 u in each entry, near gimbal
     lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -1725,7 +1725,7 @@ def mat3x3_jacobi(A, V):
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
-    equal, 18 select.  |V A V^T - the same before| <= 12 u max |A| for orthonormal V; searched,
+    equal, 18 select.  |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched,
     not proved.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A

@@ -2641,7 +2641,7 @@ def quaternion_from_mat3x3(R):
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 5 u of its largest component for R a rotation; searched, not proved.
+    select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12

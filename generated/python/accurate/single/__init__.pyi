@@ -244,7 +244,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> 
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
 
 def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -253,7 +253,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -270,7 +270,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -279,7 +279,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
-    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -289,7 +289,7 @@ def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float32] | N
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
-    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    before| <= 28 u max |A| for orthonormal V; searched, not proved.
     """
 
 def SE3_invert(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1619,7 +1619,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
     component for R a rotation; searched, not proved.
     """
 
@@ -1646,7 +1646,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 6 u of its largest component for R a rotation; searched, not proved.
+    vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -16,7 +16,7 @@ def SO3_log(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 6 u of its largest component for R a rotation; searched, not proved.
+    vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12

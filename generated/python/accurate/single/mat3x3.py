@@ -82,7 +82,7 @@ def mat3x3_normalize(self):
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
     q0_s_size_0 = absolute(self_00)
@@ -200,7 +200,7 @@ def mat3x3_normalized(R):
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 4 u; searched, not proved.
+    perpendicular, and of length 1, but for 8 u; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     q0_s_size_0 = absolute(R_00)
@@ -352,7 +352,7 @@ def euler_xyz_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles is R but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_00 * R_00 + R_01 * R_01)
@@ -376,7 +376,7 @@ def euler_xyx_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
-    but for 6 u in each entry, near gimbal lock too; searched, not proved.
+    but for 12 u in each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_01 * R_01 + R_02 * R_02)
@@ -400,7 +400,7 @@ def mat3x3_jacobi(A, V):
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
-    before| <= 12 u max |A| for orthonormal V; searched, not proved.
+    before| <= 28 u max |A| for orthonormal V; searched, not proved.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V

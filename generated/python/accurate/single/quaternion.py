@@ -880,7 +880,7 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 5 u of its largest
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
     component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
