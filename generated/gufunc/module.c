@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -79,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "7a727c96f5ab3429") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "5b3de5e57fe6ae27") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

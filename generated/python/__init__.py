@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Spatial algebra on screws (twists) and coscrews (wrenches), linear part on top.
 
 Operations are NumPy generalized ufuncs: they broadcast over leading axes, take `out=`, keep float32
@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "7a727c96f5ab3429")
+COMPILED: bool = is_compiled("coscrew._gufunc", "5b3de5e57fe6ae27")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -659,7 +659,7 @@ coscrew = coscrew_from_lin_ang
 
 from coscrew._selfcheck import selfcheck
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "COMPILED", "__version__", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",

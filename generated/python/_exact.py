@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Exact rounding errors, for compensated kernels: the same bits as fma's, whatever the numbers.
 
 NumPy has no fma.  Products are split in halves of 26 bits; where that over- or underflows, element

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* The extension module coscrew.accurate._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
@@ -77,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "f005c5a4cf67ec6e") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "5cf7d276579087da") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

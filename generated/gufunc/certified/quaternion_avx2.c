@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* The loops of the quaternion operations, compiled for AVX2 where there is such a thing. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_FOR_AVX2

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Gufunc loops of the spatial_inertia operations.  NumPy copies operands that overlap, unless an output
    is an input element by element; so no element depends on another. */
 #define NO_IMPORT_UFUNC

@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.
 
@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f005c5a4cf67ec6e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "5cf7d276579087da")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """The operations without a compiled extension: each call goes to the twin of its precision.
 
 They take `out=`, and none of the other options of NumPy's ufuncs; they return plain arrays.

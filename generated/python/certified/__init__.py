@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """The certified tier: every operation returns the plain result, bit for bit, and a bound of each
 component's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the
 bound is infinite or NaN, something overflowed, and it says nothing.
@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "6e7e4bc568d14458")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "a3481da6ab0d6de2")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Symmetric positive definite 3×3 and 6×6 matrices: A = L D L^T, solutions of A x = b.
 
 In single precision, plain tier.

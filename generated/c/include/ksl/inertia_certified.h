@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
    Certified tier: plain results, and bounds of their errors that hold. */
 #ifndef KSL_INERTIA_CERTIFIED_H

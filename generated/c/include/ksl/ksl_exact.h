@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exact rounding errors in double precision, for compensated kernels.
 
    Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; a smaller one's

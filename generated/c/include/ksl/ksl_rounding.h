@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* What keeps every operation rounded once, in the order written, under every flag that compiles.
    KSL_ALLOW_FAST_MATH lets flags through that break that. */
 #ifndef KSL_ROUNDING_H

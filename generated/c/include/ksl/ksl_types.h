@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Types of the spatial algebra, in double and single precision.
 
    Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
@@ -23,11 +23,11 @@
 
 /* The version, for #if KSL_VERSION >= KSL_VERSION_NUMBER(1, 2, 3). */
 #define KSL_VERSION_MAJOR 0
-#define KSL_VERSION_MINOR 1
+#define KSL_VERSION_MINOR 2
 #define KSL_VERSION_PATCH 0
 #define KSL_VERSION_NUMBER(major, minor, patch) (10000 * (major) + 100 * (minor) + (patch))
 #define KSL_VERSION KSL_VERSION_NUMBER(KSL_VERSION_MAJOR, KSL_VERSION_MINOR, KSL_VERSION_PATCH)
-#define KSL_VERSION_STRING "0.1.0"
+#define KSL_VERSION_STRING "0.2.0"
 
 #if defined(__GNUC__)
 #define KSL_VIEW __extension__ struct

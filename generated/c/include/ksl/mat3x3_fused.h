@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* 3×3 matrices: rotations, and matrices in general.
    Fused tier: products fused into sums. */
 #ifndef KSL_MAT3X3_FUSED_H

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* 4×4 matrices: displacements [[R, t], [0, 1]] and other maps of homogeneous coordinates. */
 #ifndef KSL_MAT4X4_H
 #define KSL_MAT4X4_H

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω).
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_SCREW_ACCURATE_H

@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
    Fused tier: products fused into sums. */
 #ifndef KSL_SPATIAL_INERTIA_FUSED_H

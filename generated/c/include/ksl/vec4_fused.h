@@ -1,6 +1,6 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
-/* coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors. */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
    Fused tier: products fused into sums. */
 #ifndef KSL_VEC4_FUSED_H

@@ -1,6 +1,6 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
-# coscrew 0.1.0.  Copyright (c) 2026 The coscrew authors.
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Spatial algebra in double precision, in pure NumPy: twins of the C kernels, bit for bit.
 
 Every function broadcasts over leading axes and takes `out=`.
