@@ -30,7 +30,8 @@ ANGLES: dict[str, Callable[[], mp.mpf]] = {
     "π - 1e-4": lambda: mp.pi - mp.mpf("1e-4"), "π - 1e-8": lambda: mp.pi - mp.mpf("1e-8"),
     "π - 1e-12": lambda: mp.pi - mp.mpf("1e-12"), "π": lambda: +mp.pi}
 FAR: dict[str, Callable[[], mp.mpf]] = {  # the last two next to multiples of π/2
-    "4": lambda: mp.mpf(4), "2π": lambda: 2 * mp.pi, "2π + 1e-6": lambda: 2 * mp.pi + mp.mpf("1e-6"),
+    "4": lambda: mp.mpf(4), "2π": lambda: 2 * mp.pi,
+    "2π + 1e-6": lambda: 2 * mp.pi + mp.mpf("1e-6"),
     "40": lambda: mp.mpf(40), "1e3": lambda: mp.mpf(1000), "99999": lambda: mp.mpf(99999),
     "31831 π": lambda: 31831 * mp.pi, "63661 π/2": lambda: 63661 * mp.pi / 2}
 FARTHER: dict[str, Callable[[], mp.mpf]] = {  # in double precision
@@ -146,7 +147,8 @@ def _parallel(size: int) -> Iterator[Described]:
 def _multiples(size: int) -> Iterator[Described]:
     """Parallel and antiparallel, rounded: cross products that are zero but for their roundings."""
     yield from _parallel(size)
-    for a in ((1, 2, 3, -5, 8, 2)[:size], (7, -11, 13, 1, 5, -3)[:size], (2, 5, -7, 3, 1, 9)[:size]):
+    for numbers in ((1, 2, 3, -5, 8, 2), (7, -11, 13, 1, 5, -3), (2, 5, -7, 3, 1, 9)):
+        a = numbers[:size]
         yield "one is -1 of the other", [a, [-v for v in a]]
         for k in (3, -7, mp.mpf(1) / 3, -mp.mpf(1) / 11):
             x = [mp.mpf(v) / 3 for v in a]

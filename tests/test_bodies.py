@@ -72,7 +72,8 @@ def test_momentum_of_joined_bodies_adds_up(k, sample):
 
 def test_centre_of_mass_and_moments_about_it_make_the_inertia(k, sample):
     B = physical(sample)
-    made = k.spatial_inertia_from_com(B[0], k.spatial_inertia_com(B), k.spatial_inertia_about_com(B))
+    com, moments = k.spatial_inertia_com(B), k.spatial_inertia_about_com(B)
+    made = k.spatial_inertia_from_com(B[0], com, moments)
     assert (made == B).all()
 
 

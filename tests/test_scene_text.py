@@ -78,7 +78,7 @@ def test_header_tells_order_units_sizes_and_defaults():
     assert "0 trunk, 1 shank" in text
     assert "Parameters p: 0 tool.mass = 0.1." in text
     for macro in ("WALKER_NQ 13", "WALKER_NV 11", "WALKER_NP 1", "WALKER_DEFAULT_P {0.1}",
-                  "WALKER_DEFAULT_PF {0.1f}", "WALKER_NEUTRAL_Q {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,"):
+                  "WALKER_DEFAULT_PF {0.1f}", "WALKER_NEUTRAL_Q {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1"):
         assert f"#define {macro}" in text
 
 

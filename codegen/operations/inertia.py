@@ -20,7 +20,8 @@ FAMILY = "inertia"
 _Ji, _Jo, _self = (Argument(name, INERTIA) for name in ("Ji", "Jo", "self"))
 _Jj, _J = Argument("Jj", INERTIA), Argument("J", INERTIA)
 _t, _t_ic, _t_jc = (Argument(name, VEC3) for name in ("t", "t_ic", "t_jc"))
-_m, _R, _D, _D_ij = Argument("m", SCALAR), Argument("R", MAT3X3), Argument("D", SE3), Argument("D_ij", SE3)
+_m, _R = Argument("m", SCALAR), Argument("R", MAT3X3)
+_D, _D_ij = Argument("D", SE3), Argument("D_ij", SE3)
 _NUMBERS = tuple(Argument(name, SCALAR) for name in ("Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))
 
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
@@ -99,9 +100,9 @@ def _in_place_too(verb: str, statement: str, by: Argument, formula, derivation=N
 
 
 OPERATIONS = (
-    _op("inertia", "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries "
-        "of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm", (_m, _t, *_NUMBERS), (_J,),
-        _made, by_value=True),
+    _op("inertia", "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, "
+        "entries of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm",
+        (_m, _t, *_NUMBERS), (_J,), _made, by_value=True),
     *(op for op in linear_space(FAMILY, INERTIA, "J") if op.name == "inertia_copy"),
     *_in_place_too("rotate", "{} turned by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
                    _rotated),
@@ -110,9 +111,9 @@ OPERATIONS = (
                    partial(_transformed, unnamed), _transformed),
     _op("inertia_merge", "Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: "
         "m_i + m_j, mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with "
-        "c = R t_jc + t, d = c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, "
-        "each in its own frame; NaN where m_i + m_j = 0",
+        "c = R t_jc + t, d = c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of "
+        "mass, each in its own frame; NaN where m_i + m_j = 0",
         (_Ji, _t_ic, _Jj, _t_jc, _D_ij), (_Ji,), partial(_merged, unnamed), _merged,
-        rounding=f"Error <= {MERGED} u times the sum of the sizes of all terms, for masses that are "
-        "not negative, barring over- and underflow."),
+        rounding=f"Error <= {MERGED} u times the sum of the sizes of all terms, for masses that "
+        "are not negative, barring over- and underflow."),
 )

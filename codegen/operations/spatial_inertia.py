@@ -144,18 +144,18 @@ def _consistency(let: Let, B: sp.Matrix) -> sp.Expr:
 CONVERTED = 4
 """In u: what a converted moment is off by at most, counted along its roundings."""
 
-_CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of the sizes of its terms, barring "
-              "over- and underflow.")
+_CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of the sizes of its terms, "
+              "barring over- and underflow.")
 
 
 OPERATIONS = (
     *(op for op in linear_space(FAMILY, SPATIAL_INERTIA, "B")
       if op.name in ("spatial_inertia_copy", "spatial_inertia_scale", "add_BB", "subtract_BB")),
-    _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; "
-        "of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
+    _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it "
+        "(kg m^2; of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
         (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
-    _op("spatial_inertia_from_inertia", "Bo: of the inertia J, whose moments are about the centre of "
-        "mass: m, mt, I - mt~ mt~ / m; not a number where m = 0", (_J,), (_Bo,),
+    _op("spatial_inertia_from_inertia", "Bo: of the inertia J, whose moments are about the centre "
+        "of mass: m, mt, I - mt~ mt~ / m; not a number where m = 0", (_J,), (_Bo,),
         lambda J: _of_inertia(unnamed, J), _of_inertia, rounding=_CONVERTED),
     _op("inertia_from_spatial_inertia", "Jo: of the spatial inertia B, with moments about the "
         "centre of mass: m, h, I + h~ h~ / m; not a number where m = 0", (_B,), (_Jo,),
@@ -163,19 +163,20 @@ OPERATIONS = (
     _op("spatial_inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
         lambda B: _first(B) / B[0],
         rounding="Error <= u |result|, barring over- and underflow."),
-    _op("spatial_inertia_about_com", "Ro = I + h~ h~ / m, the second moments about the centre of mass",
-        (_B,), (_Ro,), lambda B: _second(B) + skew(_first(B))**2 / B[0], _about_com),
+    _op("spatial_inertia_about_com", "Ro = I + h~ h~ / m, the second moments about the centre of "
+        "mass", (_B,), (_Ro,), lambda B: _second(B) + skew(_first(B))**2 / B[0], _about_com),
     _op("spatial_inertia_matrix", "Mo = [[m 1, -h~], [h~, I]]", (_B,), (_Mo,), _operator),
     _op("product_Bs", "co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves "
         "with s", (_B, _s), (_co,), _momentum),
     _op("spatial_inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
         (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
-    _op("spatial_inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~", (_t, _B),
-        (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
-    _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its "
-        "own to", (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
-    _op("spatial_inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a "
-        "part of its diagonal entry: positive exactly if a body of positive density has this "
+    _op("spatial_inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~",
+        (_t, _B), (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
+    _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D "
+        "takes its own to",
+        (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
+    _op("spatial_inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each "
+        "as a part of its diagonal entry: positive exactly if a body of positive density has this "
         "inertia", (_B,), (_pivot,),
         lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
 )

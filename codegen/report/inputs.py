@@ -180,7 +180,8 @@ def _fractions(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
 # Quantities that are more than so many numbers, and arguments that are more than their quantity.
 _DRAWN: dict[str, Callable[[Generator, np.ndarray, int], np.ndarray]] = {
     "mat3x3": _rotations, "SE3": _displacements, "dc": _sines_and_cosines,
-    "quaternion": _quaternions, "inertia": _inertias, "spatial_inertia": _spatial_inertias, "axis": _axes, "k": _fractions,
+    "quaternion": _quaternions, "inertia": _inertias,
+    "spatial_inertia": _spatial_inertias, "axis": _axes, "k": _fractions,
     "A": _positive_definite, "Ic": _positive_definite}
 
 
