@@ -52,7 +52,13 @@ tiers = pytest.mark.parametrize("tier", TEXT)
 def body(operation: Operation, precision: Precision, tier: str) -> str:
     """The text between the braces of the operation's function."""
     name = f"{c_name(operation.name, precision)}_{tier}"
-    return re.search(rf"\b{name}\([^)]*\) {{\n(.*?)\n}}\n", TEXT[tier], re.DOTALL)[1]
+    text = re.search(rf"\b{name}\([^)]*\) {{\n(.*?)\n}}\n", TEXT[tier], re.DOTALL)[1]
+    if operation.by_value:  # as if by address
+        passed = "|".join(a.name for a in (*operation.inputs, *operation.outputs)
+                          if a.quantity.shape)
+        text = re.sub(rf"\b({passed})\.", r"\1->", text)
+        text = re.sub(rf" *(ksl_\w+_t|return) ({passed});\n?", "", text)
+    return text
 
 
 def names(argument: Argument) -> list[str]:
@@ -104,7 +110,7 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
                 if abs(memory[name]) > largest_error:
                     return None
     value = returned(operation)
-    return tuple(result if argument == value else memory[name]
+    return tuple(result if argument == value and not operation.by_value else memory[name]
                  for argument in operation.outputs for name in names(argument))
 
 
