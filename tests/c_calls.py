@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import permutations
 
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.quantity import MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
+from coscrew_codegen.quantity import INERTIA, MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
 from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
 from coscrew_codegen.targets.precision import Precision
@@ -198,7 +198,7 @@ def _storage(precision: Precision) -> Iterator[tuple[str, list[str]]]:
                  "columns": columns}
         by_rows = [column * rows + row for row, column in quantity.indices]
         array = "as_array" if columns > 1 else "at"
-        if quantity != MAT6X6:
+        if quantity not in (INERTIA, MAT6X6):  # inertia's constructor is an operation
             yield f"{stem}_by_rows", _constructed(stem, stem, by_rows, array)
         if quantity in (MAT3X3, MAT4X4, SE3):
             yield f"{stem}_by_columns", _constructed(stem, f"{stem}_cmo", sorted(by_rows), array)

@@ -143,6 +143,11 @@ def theirs(name: str) -> "mujoco.MjModel":
     return mujoco.MjModel.from_xml_string(mjcf(links(name)))
 
 
+def reordered(free: bool, q: np.ndarray, by: int) -> np.ndarray:
+    """q with a free base's quaternion turned by 1 into MuJoCo's w, x, y, z; by −1 back."""
+    return np.concatenate((q[:3], np.roll(q[3:7], by), q[7:])) if free else q
+
+
 def frames(free: bool, q: np.ndarray, nv: int) -> np.ndarray:
     """T of v_theirs = T v_ours: a free base's velocity is in the world's axes there.  (nv, nv)."""
     T = np.eye(nv)
@@ -172,7 +177,7 @@ def test_mass_matrix_and_bias_are_mujocos(name, folder):
     data, mine = mujoco.MjData(model), system(its, "double")
     for q, v in states(its, free):
         T, coriolis = frames(free, q, model.nv), np.zeros(model.nv)
-        data.qpos, data.qvel = q, T @ v
+        data.qpos, data.qvel = reordered(free, q, 1), T @ v
         mujoco.mj_forward(model, data)
         M = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, M)
@@ -191,14 +196,15 @@ def run(name: str, step: float, folder: Path) -> tuple[Figure, ...]:
     model, free = theirs(name), CASES[name][0]
     data, its = mujoco.MjData(model), system(ours(name, folder), "double")
     q, v = its.start()
-    data.qpos, data.qvel = q, frames(free, q, model.nv) @ v
+    data.qpos, data.qvel = reordered(free, q, 1), frames(free, q, model.nv) @ v
     model.opt.timestep = step
     for _ in range(round(DURATION / step)):
         mujoco.mj_step(model, data)
-    v = frames(free, data.qpos, model.nv).T @ data.qvel
+    q = reordered(free, data.qpos, -1)
+    v = frames(free, q, model.nv).T @ data.qvel
     columns = []
     for c in its.functions.coordinates:
-        for kind, state, places in (("q", data.qpos, c.q), ("v", v, c.v)):
+        for kind, state, places in (("q", q, c.q), ("v", v, c.v)):
             columns += [Figure(f"{kind}.{c.joint}" + (f".{i}" if len(places) > 1 else ""),
                                str(DURATION), repr(float(state[k]))) for i, k in enumerate(places)]
     return tuple(columns)

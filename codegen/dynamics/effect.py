@@ -115,10 +115,3 @@ class Effect:
                          tuple[Force, Force, Line | None]] | None = None
     reaction: bool = False  # asks for the joint's reaction function
     mimic: bool = False  # lets followers follow
-
-    def __reduce_ex__(self, protocol: int) -> str | tuple:
-        """An effect of the catalogue is pickled by its name, since its functions cannot be."""
-        from coscrew_codegen.effects import EFFECTS, effect_named
-        if any(effect is self for effect in EFFECTS):
-            return effect_named, (self.name,)
-        return super().__reduce_ex__(protocol)

@@ -5,6 +5,7 @@ mass needs a slot for a body's 6×6 inertia in `Effect`, beside `joint_inertia`;
 multipliers, hence a slot for rows of constraints, which forward dynamics then solves for.
 """
 
+import copyreg
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -19,3 +20,13 @@ EFFECTS: tuple[Effect, ...] = tuple(
 def effect_named(name: str) -> Effect:
     """The effect of this name; a KeyError if there is none."""
     return {effect.name: effect for effect in EFFECTS}[name]
+
+
+def _pickled(effect: Effect) -> tuple[object, ...]:
+    """An effect of the catalogue is pickled by its name, since its functions cannot be."""
+    if any(known is effect for known in EFFECTS):
+        return effect_named, (effect.name,)
+    return object.__reduce_ex__(effect, 2)
+
+
+copyreg.pickle(Effect, _pickled)
