@@ -60,8 +60,9 @@ scene: build
 	    --output build/arm6.csv >build/arm6.txt
 	$(PYTHON) -m coscrew_codegen check examples/scenes/arm6.toml
 
+# coscrew is installed: only what its tests need besides.
 $(VENV)/test-ready: $(VENV)/ready
-	$(PIP) install --no-build-isolation --editable ".[test]"
+	$(PIP) install "coscrew[test]"
 	touch $@
 
 # The tests take generated/ as it is: `check` fails first if it is not what the generator makes.

@@ -24,7 +24,8 @@ from functools import cache
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref, scales
 
 Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
-Polynomial = Mapping[Monomial, Fraction]
+Number = int | Fraction  # whole numbers, which most coefficients are, as int: many times faster
+Polynomial = Mapping[Monomial, Number]
 Deltas = tuple[int, ...]  # numbers of the roundings a term is proportional to; sorted
 
 
@@ -127,12 +128,12 @@ def _wide_bound(value: _Series) -> Bound:
 def _constant(value: _Series, order: int, last: int | None) -> Fraction:
     """The largest ratio, over all monomials, of error terms of this order to the exact value's."""
     exact = value.polynomial(())
-    totals: dict[Monomial, Fraction] = defaultdict(Fraction)
+    totals: dict[Monomial, Number] = defaultdict(int)
     for deltas, polynomial in value.terms.items():
         if len(deltas) == order and last not in deltas:
             for monomial, coefficient in polynomial.items():
                 totals[monomial] += abs(coefficient)
-    return max((total / abs(exact[m]) if m in exact else _unbounded(m)
+    return max((Fraction(total) / abs(exact[m]) if m in exact else _unbounded(m)
                 for m, total in totals.items() if total), default=Fraction(0))
 
 
@@ -142,9 +143,10 @@ def _unbounded(monomial: Monomial) -> Fraction:
 
 def _value(operand: Operand, values: Mapping[str, _Series]) -> _Series:
     if isinstance(operand, Input):
-        return _Series({(): {(operand,): Fraction(1)}})
+        return _Series({(): {(operand,): 1}})
     if isinstance(operand, Constant):
-        return _Series({(): {(): operand.double}} if operand.double else {})
+        number = operand.double.numerator if operand.double.denominator == 1 else operand.double
+        return _Series({(): {(): number}} if number else {})
     return values[operand.name]
 
 
@@ -156,10 +158,10 @@ def _is_rounded_constant(operand: Operand) -> bool:
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:
     """Σ factor · series."""
-    sums: dict[Deltas, dict[Monomial, Fraction]] = {}
+    sums: dict[Deltas, dict[Monomial, Number]] = {}
     for factor, series in scaled:
         for deltas, polynomial in series.terms.items():
-            into = sums.setdefault(deltas, defaultdict(Fraction))
+            into = sums.setdefault(deltas, defaultdict(int))
             for monomial, coefficient in polynomial.items():
                 into[monomial] += factor * coefficient
     return _Series({deltas: kept for deltas, polynomial in sums.items()
@@ -167,12 +169,12 @@ def _combined(*scaled: tuple[int, _Series]) -> _Series:
 
 
 def _product(a: _Series, b: _Series) -> _Series:
-    sums: dict[Deltas, dict[Monomial, Fraction]] = {}
+    sums: dict[Deltas, dict[Monomial, Number]] = {}
     for x, p in a.terms.items():
         for y, q in b.terms.items():
             if len(x) + len(y) > 2:
                 continue
-            into = sums.setdefault(tuple(sorted(x + y)), defaultdict(Fraction))
+            into = sums.setdefault(tuple(sorted(x + y)), defaultdict(int))
             for m, c in p.items():
                 for n, d in q.items():
                     into[tuple(sorted(m + n, key=_order))] += c * d
@@ -190,7 +192,8 @@ def _roundoff(value: _Series, number: int) -> _Series:
 
 
 def _rounded(value: _Series, number: int) -> _Series:
-    return _combined((1, value), (1, _roundoff(value, number)))
+    """The value and, in terms of their own, what rounding it adds."""
+    return _Series({**value.terms, **_roundoff(value, number).terms})
 
 
 _ROUNDING = (Op.ADD, Op.SUB, Op.MUL, Op.FMA, Op.FMS, Op.FNMA)
