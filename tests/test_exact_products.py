@@ -1,4 +1,5 @@
-"""Errors of products are the same bits with fma, in halves and in NumPy, whatever the numbers."""
+"""Errors of products are the same bits with fma, in halves and in NumPy, whatever the numbers; sums
+with products that are exact are the same bits with fma and without."""
 
 import ctypes
 from pathlib import Path
@@ -24,6 +25,10 @@ void errors(long n, const double *a, const double *b, const double *p, const dou
     error[i] = ksl_product_error(a[i], b[i], p[i]);
     rest[i] = ksl_product_rest(a[i], b[i], p[i], h[i]);
   }
+}
+void sums(long n, const double *a, const double *b, const double *c, double *sum);
+void sums(long n, const double *a, const double *b, const double *c, double *sum) {
+  for (long i = 0; i < n; i++) { sum[i] = ksl_product_sum(a[i], b[i], c[i]); }
 }
 int has_fma(void);
 int has_fma(void) { return KSL_HAS_FMA; }
@@ -93,6 +98,36 @@ def test_c_rounds_once(compiler: str, flag: str, rows, right, tmp_path: Path):
     assert flag != "-march=x86-64" or not library.has_fma()
     for got, want, c in zip(found, right, (rows[2], rows[3]), strict=True):
         same(got, want, (*rows[:2], c))
+
+
+def short_factors() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """a, b of single precision, of every size, with zeros, infinities and NaN; c is -a b, near
+    it, or a double of any size."""
+    rng, n = np.random.default_rng(12), 20_000
+    a, b = (np.ldexp(rng.uniform(-1, 1, n), rng.integers(-149, 129, n)).astype(np.float32)
+            .astype(np.float64) for _ in range(2))
+    special = np.array([0.0, -0.0, np.inf, -np.inf, np.nan, 1e-45, 3.4028234663852886e38, -1.0])
+    special = special.astype(np.float32).astype(np.float64)
+    pairs = np.array(np.meshgrid(special, special)).reshape(2, -1)
+    a, b = np.concatenate([a, pairs[0]]), np.concatenate([b, pairs[1]])
+    with np.errstate(all="ignore"):
+        less = -a * b
+        near = less * (1 + np.ldexp(rng.uniform(-1, 1, len(a)), rng.integers(-52, 3, len(a))))
+    any_size = np.ldexp(rng.uniform(-1, 1, len(a)), rng.integers(-1074, 1024, len(a)))
+    return a, b, np.choose(rng.integers(0, 3, len(a)), (less, near, any_size))
+
+
+@pytest.mark.parametrize("flag", FLAGS)
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_sums_with_exact_products_round_once(compiler: str, flag: str, tmp_path: Path):
+    a, b, c = short_factors()
+    found = np.empty_like(a)
+    compiled(tmp_path, compiler, flag).sums(ctypes.c_long(len(a)), *(
+        x.ctypes.data_as(ctypes.c_void_p) for x in (a, b, c, found)))
+    with gmpy2.context(IEEE):
+        wanted = np.array([float(gmpy2.fma(*map(gmpy2.mpfr, row)))
+                           for row in zip(a.tolist(), b.tolist(), c.tolist(), strict=True)])
+    same(found, wanted, (a, b, c))
 
 
 def test_numpy_rounds_once(rows, right):

@@ -29,6 +29,7 @@ from tests.c_reader import INCLUDE
 
 EXACTLY = {
     "ksl_product_error": lambda a, b, p: a * b - p,
+    "ksl_product_sum": lambda a, b, c: a * b + c,
     "ksl_product_rest": lambda a, b, p, h: a * b - h,
     "KSL_MUL": operator.mul, "KSL_MULF": operator.mul, "exactly": Fraction,
     "fabs": abs, "fabsf": abs,

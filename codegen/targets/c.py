@@ -135,8 +135,8 @@ class _Writer:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
                  if a.name not in self.written
                  and not any(x.argument == n for x in self.program.used_inputs())]
-        lines += [self.statements.declared(steps, WIDTH - 2)
-                  for steps in by_component(self.program)]
+        lines += filter(None, (self.statements.declared(steps, WIDTH - 2)
+                               for steps in by_component(self.program)))
         return [f"  {line}".replace("\n", "\n  ") for line in (*lines, *self._stores())]
 
     def _input(self, operand: Input) -> str:

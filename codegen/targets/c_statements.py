@@ -2,17 +2,20 @@
 
 One operation a statement (declarators count as statements), so that no compiler that contracts
 within expressions can fuse a product into a sum; a product that rounds is KSL_MUL(a, b), which
-those that contract across statements leave alone.  Knows no operation, no scene, and not how
-arguments are stored.
+those that contract across statements leave alone.  Products of two single-precision numbers, in
+double, are exact: they are computed with the sum they go into, by an fma where there is one.
+Knows no operation, no scene, and not how arguments are stored.
 """
 
 import textwrap
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Operand, Program
+from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand,
+                                     Program, Ref)
 from coscrew_codegen.targets.precision import SINGLE, Precision
 
 WIDTH = 100
@@ -55,6 +58,10 @@ def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) ->
     return "\n".join(lines) if items else before + after
 
 
+def _negated(text: str) -> str:
+    return text[1:] if text.startswith("-") else f"-{text}"
+
+
 @dataclass(frozen=True)
 class Statements:
     """The instructions of `program`, computed in the precision `working`; `access` writes how an
@@ -70,23 +77,55 @@ class Statements:
         return {step.name: step for step in self.program.instructions
                 if step.op in (Op.LESS, Op.EQUAL)}
 
+    @cached_property
+    def absorbed(self) -> dict[str, Instruction]:
+        """The products, by the name of the sum that computes with them: at most one a sum, exact,
+        and in no other step."""
+        found: dict[str, Instruction] = {}
+        uses = Counter(x.name for x in (*self.program.results, *(
+            x for step in self.program.instructions for x in step.operands)) if isinstance(x, Ref))
+        products = {step.name: step for step in self.program.instructions
+                    if self._exact(step) and uses[step.name] == 1}
+        for step in self.program.instructions:
+            if step.op in (Op.ADD, Op.SUB):
+                last = [x.name for x in step.operands if isinstance(x, Ref) and x.name in products]
+                found |= {step.name: products[name] for name in last[-1:]}
+        return found
+
     def declarators(self, steps: Sequence[Instruction]) -> list[str]:
         """name = expression, for each of the steps that is declared."""
+        absent = self.inlined.keys() | {product.name for product in self.absorbed.values()}
         return [f"{step.name} = {self.expression(step)}" for step in steps
-                if step.name not in self.inlined]
+                if step.name not in absent]
 
     def declared(self, steps: Sequence[Instruction], width: int) -> str:
-        """const double x = …, y = …; for the steps of a component."""
-        return listed(f"const {self.working.c_type} ", self.declarators(steps), ";", width)
+        """const double x = …, y = …; for the steps of a component; empty if it declares none."""
+        items = self.declarators(steps)
+        return listed(f"const {self.working.c_type} ", items, ";", width) if items else ""
 
     def expression(self, step: Instruction) -> str:
         """The right-hand side of one step."""
+        if step.name in self.absorbed:
+            return self._product_sum(step, self.absorbed[step.name])
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
             operands = [f"({operands[0]})"]  # -- is another operator
         spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
         suffix = self.working.suffix
         return spelling.format(*operands, f=suffix, F=suffix.upper())
+
+    def _product_sum(self, step: Instruction, product: Instruction) -> str:
+        """The sum or difference of an exact product and something else."""
+        a, b = map(self.operand, product.operands)
+        first, second = step.operands
+        subtrahend = second if step.op is Op.SUB else None
+        other = first if second == Ref(product.name) else second
+        c = self.operand(other)
+        if subtrahend == other:
+            c = _negated(c)
+        elif subtrahend is not None:
+            a = _negated(a)
+        return f"ksl_product_sum({a}, {b}, {c})"
 
     def _exact(self, step: Instruction) -> bool:
         """Whether this is a product of two numbers of single precision, in double."""

@@ -458,6 +458,16 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #endif
 }
 
+/* a b + c rounded once, where a b is exact: with fma and without, the same bits. */
+static inline double ksl_product_sum(const double a, const double b, const double c) {
+#if KSL_HAS_FMA
+  return fma(a, b, c);
+#else
+  const double product = KSL_MUL(a, b);
+  return product + c;
+#endif
+}
+
 /* a b - h rounded once, where p is a b rounded and p - h is exact. */
 static inline double ksl_product_rest(
     const double a, const double b, const double p, const double h) {
@@ -1345,9 +1355,9 @@ static inline void ksl_vec3f_scale_accurate(ksl_vec3f_t *self, const float a) {
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_vvf_accurate(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
-  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
-  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -1593,8 +1603,9 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
    Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_dot_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const double dot_a = (double)v1->x * (double)v2->x, dot_b = (double)v1->y * (double)v2->y,
-      dot_c = dot_a + dot_b, dot_d = (double)v1->z * (double)v2->z, dot = dot_c + dot_d;
+  const double dot_a = (double)v1->x * (double)v2->x,
+      dot_c = ksl_product_sum((double)v1->y, (double)v2->y, dot_a),
+      dot = ksl_product_sum((double)v1->z, (double)v2->z, dot_c);
   return (float)dot;
 }
 
@@ -1633,12 +1644,12 @@ static inline void ksl_product_ainvvf_accurate(const float k, const ksl_vec3f_t 
      over- and underflow. */
 static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)v1->y * (double)v2->z, vo_0b = (double)v1->z * (double)v2->y,
-      vo_0 = vo_0a - vo_0b;
-  const double vo_1a = (double)v1->z * (double)v2->x, vo_1b = (double)v1->x * (double)v2->z,
-      vo_1 = vo_1a - vo_1b;
-  const double vo_2a = (double)v1->x * (double)v2->y, vo_2b = (double)v1->y * (double)v2->x,
-      vo_2 = vo_2a - vo_2b;
+  const double vo_0a = (double)v1->y * (double)v2->z,
+      vo_0 = ksl_product_sum(-(double)v1->z, (double)v2->y, vo_0a);
+  const double vo_1a = (double)v1->z * (double)v2->x,
+      vo_1 = ksl_product_sum(-(double)v1->x, (double)v2->z, vo_1a);
+  const double vo_2a = (double)v1->x * (double)v2->y,
+      vo_2 = ksl_product_sum(-(double)v1->y, (double)v2->x, vo_2a);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -1651,12 +1662,12 @@ static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f
      over- and underflow. */
 static inline void ksl_cross_vvinvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)v1->z * (double)v2->y, vo_0b = (double)v1->y * (double)v2->z,
-      vo_0 = vo_0a - vo_0b;
-  const double vo_1a = (double)v1->x * (double)v2->z, vo_1b = (double)v1->z * (double)v2->x,
-      vo_1 = vo_1a - vo_1b;
-  const double vo_2a = (double)v1->y * (double)v2->x, vo_2b = (double)v1->x * (double)v2->y,
-      vo_2 = vo_2a - vo_2b;
+  const double vo_0a = (double)v1->z * (double)v2->y,
+      vo_0 = ksl_product_sum(-(double)v1->y, (double)v2->z, vo_0a);
+  const double vo_1a = (double)v1->x * (double)v2->z,
+      vo_1 = ksl_product_sum(-(double)v1->z, (double)v2->x, vo_1a);
+  const double vo_2a = (double)v1->y * (double)v2->x,
+      vo_2 = ksl_product_sum(-(double)v1->x, (double)v2->y, vo_2a);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -4616,12 +4627,12 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
    Error <= u |result| + 5/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
-  const double n_0a = (double)R->m11 * (double)R->m22, n_0b = (double)R->m12 * (double)R->m21,
-      n_0 = n_0a - n_0b;
-  const double n_1a = (double)R->m02 * (double)R->m21, n_1b = (double)R->m01 * (double)R->m22,
-      n_1 = n_1a - n_1b;
-  const double n_2a = (double)R->m01 * (double)R->m12, n_2b = (double)R->m02 * (double)R->m11,
-      n_2 = n_2a - n_2b;
+  const double n_0a = (double)R->m11 * (double)R->m22,
+      n_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n_0a);
+  const double n_1a = (double)R->m02 * (double)R->m21,
+      n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n_1a);
+  const double n_2a = (double)R->m01 * (double)R->m12,
+      n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n_2a);
   const double det_a = KSL_MUL((double)R->m00, n_0), det_b = KSL_MUL((double)R->m10, n_1),
       det_c = det_a + det_b, det_d = KSL_MUL((double)R->m20, n_2), det = det_c + det_d;
   return (float)det;
@@ -4634,24 +4645,24 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double n0_0a = (double)R->m11 * (double)R->m22, n0_0b = (double)R->m12 * (double)R->m21,
-      n0_0 = n0_0a - n0_0b;
-  const double n0_1a = (double)R->m02 * (double)R->m21, n0_1b = (double)R->m01 * (double)R->m22,
-      n0_1 = n0_1a - n0_1b;
-  const double n0_2a = (double)R->m01 * (double)R->m12, n0_2b = (double)R->m02 * (double)R->m11,
-      n0_2 = n0_2a - n0_2b;
-  const double n1_0a = (double)R->m12 * (double)R->m20, n1_0b = (double)R->m10 * (double)R->m22,
-      n1_0 = n1_0a - n1_0b;
-  const double n1_1a = (double)R->m00 * (double)R->m22, n1_1b = (double)R->m02 * (double)R->m20,
-      n1_1 = n1_1a - n1_1b;
-  const double n1_2a = (double)R->m02 * (double)R->m10, n1_2b = (double)R->m00 * (double)R->m12,
-      n1_2 = n1_2a - n1_2b;
-  const double n2_0a = (double)R->m10 * (double)R->m21, n2_0b = (double)R->m11 * (double)R->m20,
-      n2_0 = n2_0a - n2_0b;
-  const double n2_1a = (double)R->m01 * (double)R->m20, n2_1b = (double)R->m00 * (double)R->m21,
-      n2_1 = n2_1a - n2_1b;
-  const double n2_2a = (double)R->m00 * (double)R->m11, n2_2b = (double)R->m01 * (double)R->m10,
-      n2_2 = n2_2a - n2_2b;
+  const double n0_0a = (double)R->m11 * (double)R->m22,
+      n0_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n0_0a);
+  const double n0_1a = (double)R->m02 * (double)R->m21,
+      n0_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n0_1a);
+  const double n0_2a = (double)R->m01 * (double)R->m12,
+      n0_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n0_2a);
+  const double n1_0a = (double)R->m12 * (double)R->m20,
+      n1_0 = ksl_product_sum(-(double)R->m10, (double)R->m22, n1_0a);
+  const double n1_1a = (double)R->m00 * (double)R->m22,
+      n1_1 = ksl_product_sum(-(double)R->m02, (double)R->m20, n1_1a);
+  const double n1_2a = (double)R->m02 * (double)R->m10,
+      n1_2 = ksl_product_sum(-(double)R->m00, (double)R->m12, n1_2a);
+  const double n2_0a = (double)R->m10 * (double)R->m21,
+      n2_0 = ksl_product_sum(-(double)R->m11, (double)R->m20, n2_0a);
+  const double n2_1a = (double)R->m01 * (double)R->m20,
+      n2_1 = ksl_product_sum(-(double)R->m00, (double)R->m21, n2_1a);
+  const double n2_2a = (double)R->m00 * (double)R->m11,
+      n2_2 = ksl_product_sum(-(double)R->m01, (double)R->m10, n2_2a);
   const double d_a = KSL_MUL((double)R->m00, n0_0), d_b = KSL_MUL((double)R->m10, n0_1),
       d_c = d_a + d_b, d_d = KSL_MUL((double)R->m20, n0_2), d = d_c + d_d;
   const double size0_0 = fabs((double)R->m00);
@@ -5012,8 +5023,8 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
-  const double n_a = (double)R->m00 * (double)R->m00, n_b = (double)R->m01 * (double)R->m01,
-      n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = (double)R->m00 * (double)R->m00,
+      n_c = ksl_product_sum((double)R->m01, (double)R->m01, n_a), n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
@@ -5038,8 +5049,8 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
-  const double n_a = (double)R->m01 * (double)R->m01, n_b = (double)R->m02 * (double)R->m02,
-      n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = (double)R->m01 * (double)R->m01,
+      n_c = ksl_product_sum((double)R->m02, (double)R->m02, n_a), n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = (double)R->m01 / divisor;
@@ -5333,20 +5344,17 @@ static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) 
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
   const double self_03_new_a = (double)self->m00 * (double)self->m03,
-      self_03_new_b = (double)self->m10 * (double)self->m13,
-      self_03_new_c = self_03_new_a + self_03_new_b,
-      self_03_new_d = (double)self->m20 * (double)self->m23,
-      self_03_new_e = self_03_new_c + self_03_new_d, self_03_new = -self_03_new_e;
+      self_03_new_c = ksl_product_sum((double)self->m10, (double)self->m13, self_03_new_a),
+      self_03_new_e = ksl_product_sum((double)self->m20, (double)self->m23, self_03_new_c),
+      self_03_new = -self_03_new_e;
   const double self_13_new_a = (double)self->m01 * (double)self->m03,
-      self_13_new_b = (double)self->m11 * (double)self->m13,
-      self_13_new_c = self_13_new_a + self_13_new_b,
-      self_13_new_d = (double)self->m21 * (double)self->m23,
-      self_13_new_e = self_13_new_c + self_13_new_d, self_13_new = -self_13_new_e;
+      self_13_new_c = ksl_product_sum((double)self->m11, (double)self->m13, self_13_new_a),
+      self_13_new_e = ksl_product_sum((double)self->m21, (double)self->m23, self_13_new_c),
+      self_13_new = -self_13_new_e;
   const double self_23_new_a = (double)self->m02 * (double)self->m03,
-      self_23_new_b = (double)self->m12 * (double)self->m13,
-      self_23_new_c = self_23_new_a + self_23_new_b,
-      self_23_new_d = (double)self->m22 * (double)self->m23,
-      self_23_new_e = self_23_new_c + self_23_new_d, self_23_new = -self_23_new_e;
+      self_23_new_c = ksl_product_sum((double)self->m12, (double)self->m13, self_23_new_a),
+      self_23_new_e = ksl_product_sum((double)self->m22, (double)self->m23, self_23_new_c),
+      self_23_new = -self_23_new_e;
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -5370,15 +5378,15 @@ static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)D->m03, Do_03b = (double)D->m10 * (double)D->m13,
-      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m20 * (double)D->m23, Do_03e = Do_03c + Do_03d,
-      Do_03 = -Do_03e;
-  const double Do_13a = (double)D->m01 * (double)D->m03, Do_13b = (double)D->m11 * (double)D->m13,
-      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m21 * (double)D->m23, Do_13e = Do_13c + Do_13d,
-      Do_13 = -Do_13e;
-  const double Do_23a = (double)D->m02 * (double)D->m03, Do_23b = (double)D->m12 * (double)D->m13,
-      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)D->m23, Do_23e = Do_23c + Do_23d,
-      Do_23 = -Do_23e;
+  const double Do_03a = (double)D->m00 * (double)D->m03,
+      Do_03c = ksl_product_sum((double)D->m10, (double)D->m13, Do_03a),
+      Do_03e = ksl_product_sum((double)D->m20, (double)D->m23, Do_03c), Do_03 = -Do_03e;
+  const double Do_13a = (double)D->m01 * (double)D->m03,
+      Do_13c = ksl_product_sum((double)D->m11, (double)D->m13, Do_13a),
+      Do_13e = ksl_product_sum((double)D->m21, (double)D->m23, Do_13c), Do_13 = -Do_13e;
+  const double Do_23a = (double)D->m02 * (double)D->m03,
+      Do_23c = ksl_product_sum((double)D->m12, (double)D->m13, Do_23a),
+      Do_23e = ksl_product_sum((double)D->m22, (double)D->m23, Do_23c), Do_23 = -Do_23e;
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -8042,12 +8050,15 @@ static inline void ksl_product_ddtzinv_accurate(const ksl_SE3_t *D, const double
      over- and underflow. */
 static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m02 * (double)v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = (double)R->m10 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m12 * (double)v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = (double)R->m20 * (double)v->x, vo_2b = (double)R->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
+      vo_0 = ksl_product_sum((double)R->m02, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1 = ksl_product_sum((double)R->m12, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8060,15 +8071,15 @@ static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_v
      over- and underflow. */
 static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m02 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m10 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m12 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m20 * (double)v->x, vo_2b = (double)R->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)R->m02, (double)v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = (double)R->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)R->m12, (double)v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = (double)R->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8081,12 +8092,15 @@ static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m10 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m20 * (double)v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = (double)R->m01 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m21 * (double)v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = (double)R->m02 * (double)v->x, vo_2b = (double)R->m12 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
+      vo_0 = ksl_product_sum((double)R->m20, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m01 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1 = ksl_product_sum((double)R->m21, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m02 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8099,15 +8113,15 @@ static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m10 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m20 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m01 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m21 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m02 * (double)v->x, vo_2b = (double)R->m12 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)R->m20, (double)v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = (double)R->m01 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)R->m21, (double)v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = (double)R->m02 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8120,15 +8134,15 @@ static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const
      over- and underflow. */
 static inline void ksl_product_dvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)D->m00 * (double)v->x, vo_0b = (double)D->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)D->m02 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = vo_0e + (double)D->m03;
-  const double vo_1a = (double)D->m10 * (double)v->x, vo_1b = (double)D->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)D->m12 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = vo_1e + (double)D->m13;
-  const double vo_2a = (double)D->m20 * (double)v->x, vo_2b = (double)D->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)D->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = vo_2e + (double)D->m23;
+  const double vo_0a = (double)D->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)D->m01, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)D->m02, (double)v->z, vo_0c), vo_0 = vo_0e + (double)D->m03;
+  const double vo_1a = (double)D->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)D->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)D->m12, (double)v->z, vo_1c), vo_1 = vo_1e + (double)D->m13;
+  const double vo_2a = (double)D->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)D->m21, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)D->m22, (double)v->z, vo_2c), vo_2 = vo_2e + (double)D->m23;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8163,32 +8177,32 @@ static inline void ksl_product_dinvvf_accurate(const ksl_SE3f_t *D, const ksl_ve
 static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m01 * (double)R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m02 * (double)R2->m20, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m01, (double)R2->m10, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m20, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m01,
-      Ro_01b = (double)R1->m01 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m02 * (double)R2->m21, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m01, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m21, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m02,
-      Ro_02b = (double)R1->m01 * (double)R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m02 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m01, (double)R2->m12, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m10 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m12 * (double)R2->m20, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m10, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m20, Ro_10c);
   const double Ro_11a = (double)R1->m10 * (double)R2->m01,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m12 * (double)R2->m21, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m21, Ro_11c);
   const double Ro_12a = (double)R1->m10 * (double)R2->m02,
-      Ro_12b = (double)R1->m11 * (double)R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m12 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m12, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m20 * (double)R2->m00,
-      Ro_20b = (double)R1->m21 * (double)R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m20, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m21, (double)R2->m10, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, Ro_20c);
   const double Ro_21a = (double)R1->m20 * (double)R2->m01,
-      Ro_21b = (double)R1->m21 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m21, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m21, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, Ro_21c);
   const double Ro_22a = (double)R1->m20 * (double)R2->m02,
-      Ro_22b = (double)R1->m21 * (double)R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m21, (double)R2->m12, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -8208,32 +8222,32 @@ static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl
 static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m01 * (double)R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m02 * (double)R2->m02, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m01, (double)R2->m01, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m02, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m10,
-      Ro_01b = (double)R1->m01 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m02 * (double)R2->m12, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m01, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m12, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m20,
-      Ro_02b = (double)R1->m01 * (double)R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m02 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m01, (double)R2->m21, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m10 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m12 * (double)R2->m02, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m01, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m02, Ro_10c);
   const double Ro_11a = (double)R1->m10 * (double)R2->m10,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m12 * (double)R2->m12, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m12, Ro_11c);
   const double Ro_12a = (double)R1->m10 * (double)R2->m20,
-      Ro_12b = (double)R1->m11 * (double)R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m12 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m21, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m20 * (double)R2->m00,
-      Ro_20b = (double)R1->m21 * (double)R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m02, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m21, (double)R2->m01, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m02, Ro_20c);
   const double Ro_21a = (double)R1->m20 * (double)R2->m10,
-      Ro_21b = (double)R1->m21 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m12, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m21, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m12, Ro_21c);
   const double Ro_22a = (double)R1->m20 * (double)R2->m20,
-      Ro_22b = (double)R1->m21 * (double)R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m21, (double)R2->m21, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -8253,32 +8267,32 @@ static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m10 * (double)R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m20 * (double)R2->m20, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m10, (double)R2->m10, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m20, (double)R2->m20, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m01,
-      Ro_01b = (double)R1->m10 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m20 * (double)R2->m21, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m10, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m20, (double)R2->m21, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m02,
-      Ro_02b = (double)R1->m10 * (double)R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m20 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m10, (double)R2->m12, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m20, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m01 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m21 * (double)R2->m20, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m10, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m21, (double)R2->m20, Ro_10c);
   const double Ro_11a = (double)R1->m01 * (double)R2->m01,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m21 * (double)R2->m21, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m21, (double)R2->m21, Ro_11c);
   const double Ro_12a = (double)R1->m01 * (double)R2->m02,
-      Ro_12b = (double)R1->m11 * (double)R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m21 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m12, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m21, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m02 * (double)R2->m00,
-      Ro_20b = (double)R1->m12 * (double)R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m20, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m12, (double)R2->m10, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, Ro_20c);
   const double Ro_21a = (double)R1->m02 * (double)R2->m01,
-      Ro_21b = (double)R1->m12 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m21, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m12, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, Ro_21c);
   const double Ro_22a = (double)R1->m02 * (double)R2->m02,
-      Ro_22b = (double)R1->m12 * (double)R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m12, (double)R2->m12, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -8298,43 +8312,43 @@ static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
   const double Do_00a = (double)D1->m00 * (double)D2->m00,
-      Do_00b = (double)D1->m01 * (double)D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = (double)D1->m02 * (double)D2->m20, Do_00 = Do_00c + Do_00d;
+      Do_00c = ksl_product_sum((double)D1->m01, (double)D2->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D1->m02, (double)D2->m20, Do_00c);
   const double Do_01a = (double)D1->m00 * (double)D2->m01,
-      Do_01b = (double)D1->m01 * (double)D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = (double)D1->m02 * (double)D2->m21, Do_01 = Do_01c + Do_01d;
+      Do_01c = ksl_product_sum((double)D1->m01, (double)D2->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D1->m02, (double)D2->m21, Do_01c);
   const double Do_02a = (double)D1->m00 * (double)D2->m02,
-      Do_02b = (double)D1->m01 * (double)D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = (double)D1->m02 * (double)D2->m22, Do_02 = Do_02c + Do_02d;
+      Do_02c = ksl_product_sum((double)D1->m01, (double)D2->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D1->m02, (double)D2->m22, Do_02c);
   const double Do_03a = (double)D1->m00 * (double)D2->m03,
-      Do_03b = (double)D1->m01 * (double)D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = (double)D1->m02 * (double)D2->m23, Do_03e = Do_03c + Do_03d,
+      Do_03c = ksl_product_sum((double)D1->m01, (double)D2->m13, Do_03a),
+      Do_03e = ksl_product_sum((double)D1->m02, (double)D2->m23, Do_03c),
       Do_03 = Do_03e + (double)D1->m03;
   const double Do_10a = (double)D1->m10 * (double)D2->m00,
-      Do_10b = (double)D1->m11 * (double)D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = (double)D1->m12 * (double)D2->m20, Do_10 = Do_10c + Do_10d;
+      Do_10c = ksl_product_sum((double)D1->m11, (double)D2->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D1->m12, (double)D2->m20, Do_10c);
   const double Do_11a = (double)D1->m10 * (double)D2->m01,
-      Do_11b = (double)D1->m11 * (double)D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = (double)D1->m12 * (double)D2->m21, Do_11 = Do_11c + Do_11d;
+      Do_11c = ksl_product_sum((double)D1->m11, (double)D2->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D1->m12, (double)D2->m21, Do_11c);
   const double Do_12a = (double)D1->m10 * (double)D2->m02,
-      Do_12b = (double)D1->m11 * (double)D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = (double)D1->m12 * (double)D2->m22, Do_12 = Do_12c + Do_12d;
+      Do_12c = ksl_product_sum((double)D1->m11, (double)D2->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D1->m12, (double)D2->m22, Do_12c);
   const double Do_13a = (double)D1->m10 * (double)D2->m03,
-      Do_13b = (double)D1->m11 * (double)D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = (double)D1->m12 * (double)D2->m23, Do_13e = Do_13c + Do_13d,
+      Do_13c = ksl_product_sum((double)D1->m11, (double)D2->m13, Do_13a),
+      Do_13e = ksl_product_sum((double)D1->m12, (double)D2->m23, Do_13c),
       Do_13 = Do_13e + (double)D1->m13;
   const double Do_20a = (double)D1->m20 * (double)D2->m00,
-      Do_20b = (double)D1->m21 * (double)D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = (double)D1->m22 * (double)D2->m20, Do_20 = Do_20c + Do_20d;
+      Do_20c = ksl_product_sum((double)D1->m21, (double)D2->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20, Do_20c);
   const double Do_21a = (double)D1->m20 * (double)D2->m01,
-      Do_21b = (double)D1->m21 * (double)D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = (double)D1->m22 * (double)D2->m21, Do_21 = Do_21c + Do_21d;
+      Do_21c = ksl_product_sum((double)D1->m21, (double)D2->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, Do_21c);
   const double Do_22a = (double)D1->m20 * (double)D2->m02,
-      Do_22b = (double)D1->m21 * (double)D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = (double)D1->m22 * (double)D2->m22, Do_22 = Do_22c + Do_22d;
+      Do_22c = ksl_product_sum((double)D1->m21, (double)D2->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, Do_22c);
   const double Do_23a = (double)D1->m20 * (double)D2->m03,
-      Do_23b = (double)D1->m21 * (double)D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = (double)D1->m22 * (double)D2->m23, Do_23e = Do_23c + Do_23d,
+      Do_23c = ksl_product_sum((double)D1->m21, (double)D2->m13, Do_23a),
+      Do_23e = ksl_product_sum((double)D1->m22, (double)D2->m23, Do_23c),
       Do_23 = Do_23e + (double)D1->m23;
   Do->m00 = (float)Do_00;
   Do->m01 = (float)Do_01;
@@ -8357,24 +8371,33 @@ static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f
      formula; barring over- and underflow. */
 static inline void ksl_product_ddinvf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const double R_0a = (double)D1->m00 * (double)D2->m00, R_0b = (double)D1->m01 * (double)D2->m01,
-      R_0c = R_0a + R_0b, R_0d = (double)D1->m02 * (double)D2->m02, R_0 = R_0c + R_0d;
-  const double R_1a = (double)D1->m00 * (double)D2->m10, R_1b = (double)D1->m01 * (double)D2->m11,
-      R_1c = R_1a + R_1b, R_1d = (double)D1->m02 * (double)D2->m12, R_1 = R_1c + R_1d;
-  const double R_2a = (double)D1->m00 * (double)D2->m20, R_2b = (double)D1->m01 * (double)D2->m21,
-      R_2c = R_2a + R_2b, R_2d = (double)D1->m02 * (double)D2->m22, R_2 = R_2c + R_2d;
-  const double R_3a = (double)D1->m10 * (double)D2->m00, R_3b = (double)D1->m11 * (double)D2->m01,
-      R_3c = R_3a + R_3b, R_3d = (double)D1->m12 * (double)D2->m02, R_3 = R_3c + R_3d;
-  const double R_4a = (double)D1->m10 * (double)D2->m10, R_4b = (double)D1->m11 * (double)D2->m11,
-      R_4c = R_4a + R_4b, R_4d = (double)D1->m12 * (double)D2->m12, R_4 = R_4c + R_4d;
-  const double R_5a = (double)D1->m10 * (double)D2->m20, R_5b = (double)D1->m11 * (double)D2->m21,
-      R_5c = R_5a + R_5b, R_5d = (double)D1->m12 * (double)D2->m22, R_5 = R_5c + R_5d;
-  const double R_6a = (double)D1->m20 * (double)D2->m00, R_6b = (double)D1->m21 * (double)D2->m01,
-      R_6c = R_6a + R_6b, R_6d = (double)D1->m22 * (double)D2->m02, R_6 = R_6c + R_6d;
-  const double R_7a = (double)D1->m20 * (double)D2->m10, R_7b = (double)D1->m21 * (double)D2->m11,
-      R_7c = R_7a + R_7b, R_7d = (double)D1->m22 * (double)D2->m12, R_7 = R_7c + R_7d;
-  const double R_8a = (double)D1->m20 * (double)D2->m20, R_8b = (double)D1->m21 * (double)D2->m21,
-      R_8c = R_8a + R_8b, R_8d = (double)D1->m22 * (double)D2->m22, R_8 = R_8c + R_8d;
+  const double R_0a = (double)D1->m00 * (double)D2->m00,
+      R_0c = ksl_product_sum((double)D1->m01, (double)D2->m01, R_0a),
+      R_0 = ksl_product_sum((double)D1->m02, (double)D2->m02, R_0c);
+  const double R_1a = (double)D1->m00 * (double)D2->m10,
+      R_1c = ksl_product_sum((double)D1->m01, (double)D2->m11, R_1a),
+      R_1 = ksl_product_sum((double)D1->m02, (double)D2->m12, R_1c);
+  const double R_2a = (double)D1->m00 * (double)D2->m20,
+      R_2c = ksl_product_sum((double)D1->m01, (double)D2->m21, R_2a),
+      R_2 = ksl_product_sum((double)D1->m02, (double)D2->m22, R_2c);
+  const double R_3a = (double)D1->m10 * (double)D2->m00,
+      R_3c = ksl_product_sum((double)D1->m11, (double)D2->m01, R_3a),
+      R_3 = ksl_product_sum((double)D1->m12, (double)D2->m02, R_3c);
+  const double R_4a = (double)D1->m10 * (double)D2->m10,
+      R_4c = ksl_product_sum((double)D1->m11, (double)D2->m11, R_4a),
+      R_4 = ksl_product_sum((double)D1->m12, (double)D2->m12, R_4c);
+  const double R_5a = (double)D1->m10 * (double)D2->m20,
+      R_5c = ksl_product_sum((double)D1->m11, (double)D2->m21, R_5a),
+      R_5 = ksl_product_sum((double)D1->m12, (double)D2->m22, R_5c);
+  const double R_6a = (double)D1->m20 * (double)D2->m00,
+      R_6c = ksl_product_sum((double)D1->m21, (double)D2->m01, R_6a),
+      R_6 = ksl_product_sum((double)D1->m22, (double)D2->m02, R_6c);
+  const double R_7a = (double)D1->m20 * (double)D2->m10,
+      R_7c = ksl_product_sum((double)D1->m21, (double)D2->m11, R_7a),
+      R_7 = ksl_product_sum((double)D1->m22, (double)D2->m12, R_7c);
+  const double R_8a = (double)D1->m20 * (double)D2->m20,
+      R_8c = ksl_product_sum((double)D1->m21, (double)D2->m21, R_8a),
+      R_8 = ksl_product_sum((double)D1->m22, (double)D2->m22, R_8c);
   const double Do_03a = KSL_MUL((double)D2->m03, R_0), Do_03b = KSL_MUL((double)D2->m13, R_1),
       Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL((double)D2->m23, R_2), Do_03e = Do_03c + Do_03d,
       Do_03 = (double)D1->m03 - Do_03e;
@@ -8409,36 +8432,36 @@ static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_S
   const double p_1 = (double)D2->m13 - (double)D1->m13;
   const double p_2 = (double)D2->m23 - (double)D1->m23;
   const double Do_00a = (double)D1->m00 * (double)D2->m00,
-      Do_00b = (double)D1->m10 * (double)D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = (double)D1->m20 * (double)D2->m20, Do_00 = Do_00c + Do_00d;
+      Do_00c = ksl_product_sum((double)D1->m10, (double)D2->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D1->m20, (double)D2->m20, Do_00c);
   const double Do_01a = (double)D1->m00 * (double)D2->m01,
-      Do_01b = (double)D1->m10 * (double)D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = (double)D1->m20 * (double)D2->m21, Do_01 = Do_01c + Do_01d;
+      Do_01c = ksl_product_sum((double)D1->m10, (double)D2->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D1->m20, (double)D2->m21, Do_01c);
   const double Do_02a = (double)D1->m00 * (double)D2->m02,
-      Do_02b = (double)D1->m10 * (double)D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = (double)D1->m20 * (double)D2->m22, Do_02 = Do_02c + Do_02d;
+      Do_02c = ksl_product_sum((double)D1->m10, (double)D2->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D1->m20, (double)D2->m22, Do_02c);
   const double Do_03a = KSL_MUL((double)D1->m00, p_0), Do_03b = KSL_MUL((double)D1->m10, p_1),
       Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL((double)D1->m20, p_2), Do_03 = Do_03c + Do_03d;
   const double Do_10a = (double)D1->m01 * (double)D2->m00,
-      Do_10b = (double)D1->m11 * (double)D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = (double)D1->m21 * (double)D2->m20, Do_10 = Do_10c + Do_10d;
+      Do_10c = ksl_product_sum((double)D1->m11, (double)D2->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D1->m21, (double)D2->m20, Do_10c);
   const double Do_11a = (double)D1->m01 * (double)D2->m01,
-      Do_11b = (double)D1->m11 * (double)D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = (double)D1->m21 * (double)D2->m21, Do_11 = Do_11c + Do_11d;
+      Do_11c = ksl_product_sum((double)D1->m11, (double)D2->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D1->m21, (double)D2->m21, Do_11c);
   const double Do_12a = (double)D1->m01 * (double)D2->m02,
-      Do_12b = (double)D1->m11 * (double)D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = (double)D1->m21 * (double)D2->m22, Do_12 = Do_12c + Do_12d;
+      Do_12c = ksl_product_sum((double)D1->m11, (double)D2->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D1->m21, (double)D2->m22, Do_12c);
   const double Do_13a = KSL_MUL((double)D1->m01, p_0), Do_13b = KSL_MUL((double)D1->m11, p_1),
       Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL((double)D1->m21, p_2), Do_13 = Do_13c + Do_13d;
   const double Do_20a = (double)D1->m02 * (double)D2->m00,
-      Do_20b = (double)D1->m12 * (double)D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = (double)D1->m22 * (double)D2->m20, Do_20 = Do_20c + Do_20d;
+      Do_20c = ksl_product_sum((double)D1->m12, (double)D2->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20, Do_20c);
   const double Do_21a = (double)D1->m02 * (double)D2->m01,
-      Do_21b = (double)D1->m12 * (double)D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = (double)D1->m22 * (double)D2->m21, Do_21 = Do_21c + Do_21d;
+      Do_21c = ksl_product_sum((double)D1->m12, (double)D2->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, Do_21c);
   const double Do_22a = (double)D1->m02 * (double)D2->m02,
-      Do_22b = (double)D1->m12 * (double)D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = (double)D1->m22 * (double)D2->m22, Do_22 = Do_22c + Do_22d;
+      Do_22c = ksl_product_sum((double)D1->m12, (double)D2->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, Do_22c);
   const double Do_23a = KSL_MUL((double)D1->m02, p_0), Do_23b = KSL_MUL((double)D1->m12, p_1),
       Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL((double)D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = (float)Do_00;
@@ -8462,24 +8485,33 @@ static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_S
      barring over- and underflow. */
 static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)R->m00, Do_00b = (double)D->m01 * (double)R->m10,
-      Do_00c = Do_00a + Do_00b, Do_00d = (double)D->m02 * (double)R->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = (double)D->m00 * (double)R->m01, Do_01b = (double)D->m01 * (double)R->m11,
-      Do_01c = Do_01a + Do_01b, Do_01d = (double)D->m02 * (double)R->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = (double)D->m00 * (double)R->m02, Do_02b = (double)D->m01 * (double)R->m12,
-      Do_02c = Do_02a + Do_02b, Do_02d = (double)D->m02 * (double)R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = (double)D->m10 * (double)R->m00, Do_10b = (double)D->m11 * (double)R->m10,
-      Do_10c = Do_10a + Do_10b, Do_10d = (double)D->m12 * (double)R->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = (double)D->m10 * (double)R->m01, Do_11b = (double)D->m11 * (double)R->m11,
-      Do_11c = Do_11a + Do_11b, Do_11d = (double)D->m12 * (double)R->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = (double)D->m10 * (double)R->m02, Do_12b = (double)D->m11 * (double)R->m12,
-      Do_12c = Do_12a + Do_12b, Do_12d = (double)D->m12 * (double)R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = (double)D->m20 * (double)R->m00, Do_20b = (double)D->m21 * (double)R->m10,
-      Do_20c = Do_20a + Do_20b, Do_20d = (double)D->m22 * (double)R->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = (double)D->m20 * (double)R->m01, Do_21b = (double)D->m21 * (double)R->m11,
-      Do_21c = Do_21a + Do_21b, Do_21d = (double)D->m22 * (double)R->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = (double)D->m20 * (double)R->m02, Do_22b = (double)D->m21 * (double)R->m12,
-      Do_22c = Do_22a + Do_22b, Do_22d = (double)D->m22 * (double)R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = (double)D->m00 * (double)R->m00,
+      Do_00c = ksl_product_sum((double)D->m01, (double)R->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D->m02, (double)R->m20, Do_00c);
+  const double Do_01a = (double)D->m00 * (double)R->m01,
+      Do_01c = ksl_product_sum((double)D->m01, (double)R->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m21, Do_01c);
+  const double Do_02a = (double)D->m00 * (double)R->m02,
+      Do_02c = ksl_product_sum((double)D->m01, (double)R->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, Do_02c);
+  const double Do_10a = (double)D->m10 * (double)R->m00,
+      Do_10c = ksl_product_sum((double)D->m11, (double)R->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m20, Do_10c);
+  const double Do_11a = (double)D->m10 * (double)R->m01,
+      Do_11c = ksl_product_sum((double)D->m11, (double)R->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m21, Do_11c);
+  const double Do_12a = (double)D->m10 * (double)R->m02,
+      Do_12c = ksl_product_sum((double)D->m11, (double)R->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, Do_12c);
+  const double Do_20a = (double)D->m20 * (double)R->m00,
+      Do_20c = ksl_product_sum((double)D->m21, (double)R->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m20, Do_20c);
+  const double Do_21a = (double)D->m20 * (double)R->m01,
+      Do_21c = ksl_product_sum((double)D->m21, (double)R->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m21, Do_21c);
+  const double Do_22a = (double)D->m20 * (double)R->m02,
+      Do_22c = ksl_product_sum((double)D->m21, (double)R->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -8504,24 +8536,33 @@ static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)R->m00, Do_00b = (double)D->m01 * (double)R->m01,
-      Do_00c = Do_00a + Do_00b, Do_00d = (double)D->m02 * (double)R->m02, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = (double)D->m00 * (double)R->m10, Do_01b = (double)D->m01 * (double)R->m11,
-      Do_01c = Do_01a + Do_01b, Do_01d = (double)D->m02 * (double)R->m12, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = (double)D->m00 * (double)R->m20, Do_02b = (double)D->m01 * (double)R->m21,
-      Do_02c = Do_02a + Do_02b, Do_02d = (double)D->m02 * (double)R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = (double)D->m10 * (double)R->m00, Do_10b = (double)D->m11 * (double)R->m01,
-      Do_10c = Do_10a + Do_10b, Do_10d = (double)D->m12 * (double)R->m02, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = (double)D->m10 * (double)R->m10, Do_11b = (double)D->m11 * (double)R->m11,
-      Do_11c = Do_11a + Do_11b, Do_11d = (double)D->m12 * (double)R->m12, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = (double)D->m10 * (double)R->m20, Do_12b = (double)D->m11 * (double)R->m21,
-      Do_12c = Do_12a + Do_12b, Do_12d = (double)D->m12 * (double)R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = (double)D->m20 * (double)R->m00, Do_20b = (double)D->m21 * (double)R->m01,
-      Do_20c = Do_20a + Do_20b, Do_20d = (double)D->m22 * (double)R->m02, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = (double)D->m20 * (double)R->m10, Do_21b = (double)D->m21 * (double)R->m11,
-      Do_21c = Do_21a + Do_21b, Do_21d = (double)D->m22 * (double)R->m12, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = (double)D->m20 * (double)R->m20, Do_22b = (double)D->m21 * (double)R->m21,
-      Do_22c = Do_22a + Do_22b, Do_22d = (double)D->m22 * (double)R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = (double)D->m00 * (double)R->m00,
+      Do_00c = ksl_product_sum((double)D->m01, (double)R->m01, Do_00a),
+      Do_00 = ksl_product_sum((double)D->m02, (double)R->m02, Do_00c);
+  const double Do_01a = (double)D->m00 * (double)R->m10,
+      Do_01c = ksl_product_sum((double)D->m01, (double)R->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m12, Do_01c);
+  const double Do_02a = (double)D->m00 * (double)R->m20,
+      Do_02c = ksl_product_sum((double)D->m01, (double)R->m21, Do_02a),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, Do_02c);
+  const double Do_10a = (double)D->m10 * (double)R->m00,
+      Do_10c = ksl_product_sum((double)D->m11, (double)R->m01, Do_10a),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m02, Do_10c);
+  const double Do_11a = (double)D->m10 * (double)R->m10,
+      Do_11c = ksl_product_sum((double)D->m11, (double)R->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m12, Do_11c);
+  const double Do_12a = (double)D->m10 * (double)R->m20,
+      Do_12c = ksl_product_sum((double)D->m11, (double)R->m21, Do_12a),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, Do_12c);
+  const double Do_20a = (double)D->m20 * (double)R->m00,
+      Do_20c = ksl_product_sum((double)D->m21, (double)R->m01, Do_20a),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m02, Do_20c);
+  const double Do_21a = (double)D->m20 * (double)R->m10,
+      Do_21c = ksl_product_sum((double)D->m21, (double)R->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m12, Do_21c);
+  const double Do_22a = (double)D->m20 * (double)R->m20,
+      Do_22c = ksl_product_sum((double)D->m21, (double)R->m21, Do_22a),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -8546,14 +8587,17 @@ static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_m
      barring over- and underflow. */
 static inline void ksl_product_ddtf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)t->x, Do_03b = (double)D->m01 * (double)t->y,
-      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m02 * (double)t->z, Do_03e = Do_03c + Do_03d,
+  const double Do_03a = (double)D->m00 * (double)t->x,
+      Do_03c = ksl_product_sum((double)D->m01, (double)t->y, Do_03a),
+      Do_03e = ksl_product_sum((double)D->m02, (double)t->z, Do_03c),
       Do_03 = Do_03e + (double)D->m03;
-  const double Do_13a = (double)D->m10 * (double)t->x, Do_13b = (double)D->m11 * (double)t->y,
-      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m12 * (double)t->z, Do_13e = Do_13c + Do_13d,
+  const double Do_13a = (double)D->m10 * (double)t->x,
+      Do_13c = ksl_product_sum((double)D->m11, (double)t->y, Do_13a),
+      Do_13e = ksl_product_sum((double)D->m12, (double)t->z, Do_13c),
       Do_13 = Do_13e + (double)D->m13;
-  const double Do_23a = (double)D->m20 * (double)t->x, Do_23b = (double)D->m21 * (double)t->y,
-      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)t->z, Do_23e = Do_23c + Do_23d,
+  const double Do_23a = (double)D->m20 * (double)t->x,
+      Do_23c = ksl_product_sum((double)D->m21, (double)t->y, Do_23a),
+      Do_23e = ksl_product_sum((double)D->m22, (double)t->z, Do_23c),
       Do_23 = Do_23e + (double)D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -8585,14 +8629,17 @@ static inline void ksl_product_ddtf_accurate(const ksl_SE3f_t *D, const ksl_vec3
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)t->x, Do_03b = (double)D->m01 * (double)t->y,
-      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m02 * (double)t->z, Do_03e = Do_03c + Do_03d,
+  const double Do_03a = (double)D->m00 * (double)t->x,
+      Do_03c = ksl_product_sum((double)D->m01, (double)t->y, Do_03a),
+      Do_03e = ksl_product_sum((double)D->m02, (double)t->z, Do_03c),
       Do_03 = (double)D->m03 - Do_03e;
-  const double Do_13a = (double)D->m10 * (double)t->x, Do_13b = (double)D->m11 * (double)t->y,
-      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m12 * (double)t->z, Do_13e = Do_13c + Do_13d,
+  const double Do_13a = (double)D->m10 * (double)t->x,
+      Do_13c = ksl_product_sum((double)D->m11, (double)t->y, Do_13a),
+      Do_13e = ksl_product_sum((double)D->m12, (double)t->z, Do_13c),
       Do_13 = (double)D->m13 - Do_13e;
-  const double Do_23a = (double)D->m20 * (double)t->x, Do_23b = (double)D->m21 * (double)t->y,
-      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)t->z, Do_23e = Do_23c + Do_23d,
+  const double Do_23a = (double)D->m20 * (double)t->x,
+      Do_23c = ksl_product_sum((double)D->m21, (double)t->y, Do_23a),
+      Do_23e = ksl_product_sum((double)D->m22, (double)t->z, Do_23c),
       Do_23 = (double)D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -8678,18 +8725,18 @@ static inline void ksl_product_drvtxf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m02 * (double)dc[0],
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = (double)R->m02 * (double)dc[1], Ro_02b = (double)R->m01 * (double)dc[0],
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m12 * (double)dc[0],
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = (double)R->m12 * (double)dc[1], Ro_12b = (double)R->m11 * (double)dc[0],
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m22 * (double)dc[0],
-      Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = (double)R->m22 * (double)dc[1], Ro_22b = (double)R->m21 * (double)dc[0],
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum((double)R->m02, (double)dc[0], Ro_01a);
+  const double Ro_02a = (double)R->m02 * (double)dc[1],
+      Ro_02 = ksl_product_sum(-(double)R->m01, (double)dc[0], Ro_02a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum((double)R->m12, (double)dc[0], Ro_11a);
+  const double Ro_12a = (double)R->m12 * (double)dc[1],
+      Ro_12 = ksl_product_sum(-(double)R->m11, (double)dc[0], Ro_12a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum((double)R->m22, (double)dc[0], Ro_21a);
+  const double Ro_22a = (double)R->m22 * (double)dc[1],
+      Ro_22 = ksl_product_sum(-(double)R->m21, (double)dc[0], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -8711,18 +8758,18 @@ static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m02 * (double)dc[0],
-      Do_01 = Do_01a + Do_01b;
-  const double Do_02a = (double)D->m02 * (double)dc[1], Do_02b = (double)D->m01 * (double)dc[0],
-      Do_02 = Do_02a - Do_02b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m12 * (double)dc[0],
-      Do_11 = Do_11a + Do_11b;
-  const double Do_12a = (double)D->m12 * (double)dc[1], Do_12b = (double)D->m11 * (double)dc[0],
-      Do_12 = Do_12a - Do_12b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m22 * (double)dc[0],
-      Do_21 = Do_21a + Do_21b;
-  const double Do_22a = (double)D->m22 * (double)dc[1], Do_22b = (double)D->m21 * (double)dc[0],
-      Do_22 = Do_22a - Do_22b;
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum((double)D->m02, (double)dc[0], Do_01a);
+  const double Do_02a = (double)D->m02 * (double)dc[1],
+      Do_02 = ksl_product_sum(-(double)D->m01, (double)dc[0], Do_02a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum((double)D->m12, (double)dc[0], Do_11a);
+  const double Do_12a = (double)D->m12 * (double)dc[1],
+      Do_12 = ksl_product_sum(-(double)D->m11, (double)dc[0], Do_12a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum((double)D->m22, (double)dc[0], Do_21a);
+  const double Do_22a = (double)D->m22 * (double)dc[1],
+      Do_22 = ksl_product_sum(-(double)D->m21, (double)dc[0], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -8749,9 +8796,9 @@ static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m10 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m20 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m00, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m10, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -8797,18 +8844,18 @@ static inline void ksl_product_drvtxinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m02 * (double)dc[0],
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = (double)R->m01 * (double)dc[0], Ro_02b = (double)R->m02 * (double)dc[1],
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m12 * (double)dc[0],
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = (double)R->m11 * (double)dc[0], Ro_12b = (double)R->m12 * (double)dc[1],
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m22 * (double)dc[0],
-      Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = (double)R->m21 * (double)dc[0], Ro_22b = (double)R->m22 * (double)dc[1],
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum(-(double)R->m02, (double)dc[0], Ro_01a);
+  const double Ro_02a = (double)R->m01 * (double)dc[0],
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], Ro_02a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum(-(double)R->m12, (double)dc[0], Ro_11a);
+  const double Ro_12a = (double)R->m11 * (double)dc[0],
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], Ro_12a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum(-(double)R->m22, (double)dc[0], Ro_21a);
+  const double Ro_22a = (double)R->m21 * (double)dc[0],
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -8830,18 +8877,18 @@ static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m02 * (double)dc[0],
-      Do_01 = Do_01a - Do_01b;
-  const double Do_02a = (double)D->m01 * (double)dc[0], Do_02b = (double)D->m02 * (double)dc[1],
-      Do_02 = Do_02a + Do_02b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m12 * (double)dc[0],
-      Do_11 = Do_11a - Do_11b;
-  const double Do_12a = (double)D->m11 * (double)dc[0], Do_12b = (double)D->m12 * (double)dc[1],
-      Do_12 = Do_12a + Do_12b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m22 * (double)dc[0],
-      Do_21 = Do_21a - Do_21b;
-  const double Do_22a = (double)D->m21 * (double)dc[0], Do_22b = (double)D->m22 * (double)dc[1],
-      Do_22 = Do_22a + Do_22b;
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum(-(double)D->m02, (double)dc[0], Do_01a);
+  const double Do_02a = (double)D->m01 * (double)dc[0],
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], Do_02a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum(-(double)D->m12, (double)dc[0], Do_11a);
+  const double Do_12a = (double)D->m11 * (double)dc[0],
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], Do_12a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum(-(double)D->m22, (double)dc[0], Do_21a);
+  const double Do_22a = (double)D->m21 * (double)dc[0],
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -8869,9 +8916,9 @@ static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m10 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m20 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m00, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m10, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -8917,18 +8964,18 @@ static inline void ksl_product_drvtyf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m02 * (double)dc[0],
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = (double)R->m00 * (double)dc[0], Ro_02b = (double)R->m02 * (double)dc[1],
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m12 * (double)dc[0],
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = (double)R->m10 * (double)dc[0], Ro_12b = (double)R->m12 * (double)dc[1],
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m22 * (double)dc[0],
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = (double)R->m20 * (double)dc[0], Ro_22b = (double)R->m22 * (double)dc[1],
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum(-(double)R->m02, (double)dc[0], Ro_00a);
+  const double Ro_02a = (double)R->m00 * (double)dc[0],
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], Ro_02a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum(-(double)R->m12, (double)dc[0], Ro_10a);
+  const double Ro_12a = (double)R->m10 * (double)dc[0],
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], Ro_12a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum(-(double)R->m22, (double)dc[0], Ro_20a);
+  const double Ro_22a = (double)R->m20 * (double)dc[0],
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -8950,18 +8997,18 @@ static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m02 * (double)dc[0],
-      Do_00 = Do_00a - Do_00b;
-  const double Do_02a = (double)D->m00 * (double)dc[0], Do_02b = (double)D->m02 * (double)dc[1],
-      Do_02 = Do_02a + Do_02b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m12 * (double)dc[0],
-      Do_10 = Do_10a - Do_10b;
-  const double Do_12a = (double)D->m10 * (double)dc[0], Do_12b = (double)D->m12 * (double)dc[1],
-      Do_12 = Do_12a + Do_12b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m22 * (double)dc[0],
-      Do_20 = Do_20a - Do_20b;
-  const double Do_22a = (double)D->m20 * (double)dc[0], Do_22b = (double)D->m22 * (double)dc[1],
-      Do_22 = Do_22a + Do_22b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum(-(double)D->m02, (double)dc[0], Do_00a);
+  const double Do_02a = (double)D->m00 * (double)dc[0],
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], Do_02a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum(-(double)D->m12, (double)dc[0], Do_10a);
+  const double Do_12a = (double)D->m10 * (double)dc[0],
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], Do_12a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum(-(double)D->m22, (double)dc[0], Do_20a);
+  const double Do_22a = (double)D->m20 * (double)dc[0],
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -8988,9 +9035,9 @@ static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m01 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m11 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m21 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m01, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m11, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -9036,18 +9083,18 @@ static inline void ksl_product_drvtyinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m02 * (double)dc[0],
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = (double)R->m02 * (double)dc[1], Ro_02b = (double)R->m00 * (double)dc[0],
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m12 * (double)dc[0],
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = (double)R->m12 * (double)dc[1], Ro_12b = (double)R->m10 * (double)dc[0],
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m22 * (double)dc[0],
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = (double)R->m22 * (double)dc[1], Ro_22b = (double)R->m20 * (double)dc[0],
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum((double)R->m02, (double)dc[0], Ro_00a);
+  const double Ro_02a = (double)R->m02 * (double)dc[1],
+      Ro_02 = ksl_product_sum(-(double)R->m00, (double)dc[0], Ro_02a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum((double)R->m12, (double)dc[0], Ro_10a);
+  const double Ro_12a = (double)R->m12 * (double)dc[1],
+      Ro_12 = ksl_product_sum(-(double)R->m10, (double)dc[0], Ro_12a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum((double)R->m22, (double)dc[0], Ro_20a);
+  const double Ro_22a = (double)R->m22 * (double)dc[1],
+      Ro_22 = ksl_product_sum(-(double)R->m20, (double)dc[0], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -9069,18 +9116,18 @@ static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m02 * (double)dc[0],
-      Do_00 = Do_00a + Do_00b;
-  const double Do_02a = (double)D->m02 * (double)dc[1], Do_02b = (double)D->m00 * (double)dc[0],
-      Do_02 = Do_02a - Do_02b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m12 * (double)dc[0],
-      Do_10 = Do_10a + Do_10b;
-  const double Do_12a = (double)D->m12 * (double)dc[1], Do_12b = (double)D->m10 * (double)dc[0],
-      Do_12 = Do_12a - Do_12b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m22 * (double)dc[0],
-      Do_20 = Do_20a + Do_20b;
-  const double Do_22a = (double)D->m22 * (double)dc[1], Do_22b = (double)D->m20 * (double)dc[0],
-      Do_22 = Do_22a - Do_22b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum((double)D->m02, (double)dc[0], Do_00a);
+  const double Do_02a = (double)D->m02 * (double)dc[1],
+      Do_02 = ksl_product_sum(-(double)D->m00, (double)dc[0], Do_02a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum((double)D->m12, (double)dc[0], Do_10a);
+  const double Do_12a = (double)D->m12 * (double)dc[1],
+      Do_12 = ksl_product_sum(-(double)D->m10, (double)dc[0], Do_12a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum((double)D->m22, (double)dc[0], Do_20a);
+  const double Do_22a = (double)D->m22 * (double)dc[1],
+      Do_22 = ksl_product_sum(-(double)D->m20, (double)dc[0], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -9108,9 +9155,9 @@ static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m01 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m11 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m21 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m01, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m11, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -9156,18 +9203,18 @@ static inline void ksl_product_drvtzf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m01 * (double)dc[0],
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m00 * (double)dc[0],
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m11 * (double)dc[0],
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m10 * (double)dc[0],
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m21 * (double)dc[0],
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m20 * (double)dc[0],
-      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum((double)R->m01, (double)dc[0], Ro_00a);
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum(-(double)R->m00, (double)dc[0], Ro_01a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum((double)R->m11, (double)dc[0], Ro_10a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum(-(double)R->m10, (double)dc[0], Ro_11a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum((double)R->m21, (double)dc[0], Ro_20a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum(-(double)R->m20, (double)dc[0], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -9189,18 +9236,18 @@ static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m01 * (double)dc[0],
-      Do_00 = Do_00a + Do_00b;
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m00 * (double)dc[0],
-      Do_01 = Do_01a - Do_01b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m11 * (double)dc[0],
-      Do_10 = Do_10a + Do_10b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m10 * (double)dc[0],
-      Do_11 = Do_11a - Do_11b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m21 * (double)dc[0],
-      Do_20 = Do_20a + Do_20b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m20 * (double)dc[0],
-      Do_21 = Do_21a - Do_21b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum((double)D->m01, (double)dc[0], Do_00a);
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum(-(double)D->m00, (double)dc[0], Do_01a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum((double)D->m11, (double)dc[0], Do_10a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum(-(double)D->m10, (double)dc[0], Do_11a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum((double)D->m21, (double)dc[0], Do_20a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum(-(double)D->m20, (double)dc[0], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -9227,9 +9274,9 @@ static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m02 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m12 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m22 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m02, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m12, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -9275,18 +9322,18 @@ static inline void ksl_product_drvtzinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m01 * (double)dc[0],
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = (double)R->m00 * (double)dc[0], Ro_01b = (double)R->m01 * (double)dc[1],
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m11 * (double)dc[0],
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = (double)R->m10 * (double)dc[0], Ro_11b = (double)R->m11 * (double)dc[1],
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m21 * (double)dc[0],
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = (double)R->m20 * (double)dc[0], Ro_21b = (double)R->m21 * (double)dc[1],
-      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum(-(double)R->m01, (double)dc[0], Ro_00a);
+  const double Ro_01a = (double)R->m00 * (double)dc[0],
+      Ro_01 = ksl_product_sum((double)R->m01, (double)dc[1], Ro_01a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum(-(double)R->m11, (double)dc[0], Ro_10a);
+  const double Ro_11a = (double)R->m10 * (double)dc[0],
+      Ro_11 = ksl_product_sum((double)R->m11, (double)dc[1], Ro_11a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum(-(double)R->m21, (double)dc[0], Ro_20a);
+  const double Ro_21a = (double)R->m20 * (double)dc[0],
+      Ro_21 = ksl_product_sum((double)R->m21, (double)dc[1], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -9308,18 +9355,18 @@ static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m01 * (double)dc[0],
-      Do_00 = Do_00a - Do_00b;
-  const double Do_01a = (double)D->m00 * (double)dc[0], Do_01b = (double)D->m01 * (double)dc[1],
-      Do_01 = Do_01a + Do_01b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m11 * (double)dc[0],
-      Do_10 = Do_10a - Do_10b;
-  const double Do_11a = (double)D->m10 * (double)dc[0], Do_11b = (double)D->m11 * (double)dc[1],
-      Do_11 = Do_11a + Do_11b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m21 * (double)dc[0],
-      Do_20 = Do_20a - Do_20b;
-  const double Do_21a = (double)D->m20 * (double)dc[0], Do_21b = (double)D->m21 * (double)dc[1],
-      Do_21 = Do_21a + Do_21b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum(-(double)D->m01, (double)dc[0], Do_00a);
+  const double Do_01a = (double)D->m00 * (double)dc[0],
+      Do_01 = ksl_product_sum((double)D->m01, (double)dc[1], Do_01a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum(-(double)D->m11, (double)dc[0], Do_10a);
+  const double Do_11a = (double)D->m10 * (double)dc[0],
+      Do_11 = ksl_product_sum((double)D->m11, (double)dc[1], Do_11a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum(-(double)D->m21, (double)dc[0], Do_20a);
+  const double Do_21a = (double)D->m20 * (double)dc[0],
+      Do_21 = ksl_product_sum((double)D->m21, (double)dc[1], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -9347,9 +9394,9 @@ static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m02 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m12 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m22 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m02, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m12, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -11545,12 +11592,12 @@ static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->m0, y_0_new = y_0_new_a + (double)y->m0;
-  const double y_1_new_a = (double)a * (double)x->m1, y_1_new = y_1_new_a + (double)y->m1;
-  const double y_2_new_a = (double)a * (double)x->m2, y_2_new = y_2_new_a + (double)y->m2;
-  const double y_3_new_a = (double)a * (double)x->m3, y_3_new = y_3_new_a + (double)y->m3;
-  const double y_4_new_a = (double)a * (double)x->m4, y_4_new = y_4_new_a + (double)y->m4;
-  const double y_5_new_a = (double)a * (double)x->m5, y_5_new = y_5_new_a + (double)y->m5;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
+  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
+  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -11857,12 +11904,12 @@ static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->y * (double)si->m5, so_0b = (double)t->z * (double)si->m4,
-      so_0c = so_0a - so_0b, so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->z * (double)si->m3, so_1b = (double)t->x * (double)si->m5,
-      so_1c = so_1a - so_1b, so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->x * (double)si->m4, so_2b = (double)t->y * (double)si->m3,
-      so_2c = so_2a - so_2b, so_2 = so_2c + (double)si->m2;
+  const double so_0a = (double)t->y * (double)si->m5,
+      so_0c = ksl_product_sum(-(double)t->z, (double)si->m4, so_0a), so_0 = so_0c + (double)si->m0;
+  const double so_1a = (double)t->z * (double)si->m3,
+      so_1c = ksl_product_sum(-(double)t->x, (double)si->m5, so_1a), so_1 = so_1c + (double)si->m1;
+  const double so_2a = (double)t->x * (double)si->m4,
+      so_2c = ksl_product_sum(-(double)t->y, (double)si->m3, so_2a), so_2 = so_2c + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -11881,12 +11928,12 @@ static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_sc
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4, so_0b = (double)t->y * (double)si->m5,
-      so_0c = so_0a - so_0b, so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5, so_1b = (double)t->z * (double)si->m3,
-      so_1c = so_1a - so_1b, so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3, so_2b = (double)t->x * (double)si->m4,
-      so_2c = so_2a - so_2b, so_2 = so_2c + (double)si->m2;
+  const double so_0a = (double)t->z * (double)si->m4,
+      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c + (double)si->m0;
+  const double so_1a = (double)t->x * (double)si->m5,
+      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c + (double)si->m1;
+  const double so_2a = (double)t->y * (double)si->m3,
+      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -11905,12 +11952,12 @@ static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4, so_0b = (double)t->y * (double)si->m5,
-      so_0c = so_0a - so_0b, so_0 = so_0c - (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5, so_1b = (double)t->z * (double)si->m3,
-      so_1c = so_1a - so_1b, so_1 = so_1c - (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3, so_2b = (double)t->x * (double)si->m4,
-      so_2c = so_2a - so_2b, so_2 = so_2c - (double)si->m2;
+  const double so_0a = (double)t->z * (double)si->m4,
+      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c - (double)si->m0;
+  const double so_1a = (double)t->x * (double)si->m5,
+      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c - (double)si->m1;
+  const double so_2a = (double)t->y * (double)si->m3,
+      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c - (double)si->m2;
   const double so_3 = -(double)si->m3;
   const double so_4 = -(double)si->m4;
   const double so_5 = -(double)si->m5;
@@ -11929,18 +11976,24 @@ static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl
      over- and underflow. */
 static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m01 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m02 * (double)si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = (double)R->m10 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m12 * (double)si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = (double)R->m20 * (double)si->m0, so_2b = (double)R->m21 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m01 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m02 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)R->m10 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m12 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)R->m20 * (double)si->m3, so_5b = (double)R->m21 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
+      so_0 = ksl_product_sum((double)R->m02, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m10 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1 = ksl_product_sum((double)R->m12, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m20 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)R->m02, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m10 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)R->m12, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m20 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -11956,18 +12009,24 @@ static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_
      over- and underflow. */
 static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m10 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m20 * (double)si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = (double)R->m01 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m21 * (double)si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = (double)R->m02 * (double)si->m0, so_2b = (double)R->m12 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m10 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m20 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)R->m01 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m21 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)R->m02 * (double)si->m3, so_5b = (double)R->m12 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m10, (double)si->m1, so_0a),
+      so_0 = ksl_product_sum((double)R->m20, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m01 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1 = ksl_product_sum((double)R->m21, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m02 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m12, (double)si->m1, so_2a),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m10, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)R->m20, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m01 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)R->m21, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m02 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m12, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -11983,24 +12042,24 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
      over- and underflow. */
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m01 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m02 * (double)si->m2, so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
-  const double so_1a = (double)R->m10 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m12 * (double)si->m2, so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
-  const double so_2a = (double)R->m20 * (double)si->m0, so_2b = (double)R->m21 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m01 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m02 * (double)si->m5, so_3e = so_3c + so_3d,
-      so_3 = -so_3e;
-  const double so_4a = (double)R->m10 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m12 * (double)si->m5, so_4e = so_4c + so_4d,
-      so_4 = -so_4e;
-  const double so_5a = (double)R->m20 * (double)si->m3, so_5b = (double)R->m21 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5e = so_5c + so_5d,
-      so_5 = -so_5e;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
+      so_0e = ksl_product_sum((double)R->m02, (double)si->m2, so_0c), so_0 = -so_0e;
+  const double so_1a = (double)R->m10 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1e = ksl_product_sum((double)R->m12, (double)si->m2, so_1c), so_1 = -so_1e;
+  const double so_2a = (double)R->m20 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
+      so_2e = ksl_product_sum((double)R->m22, (double)si->m2, so_2c), so_2 = -so_2e;
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
+      so_3e = ksl_product_sum((double)R->m02, (double)si->m5, so_3c), so_3 = -so_3e;
+  const double so_4a = (double)R->m10 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4e = ksl_product_sum((double)R->m12, (double)si->m5, so_4c), so_4 = -so_4e;
+  const double so_5a = (double)R->m20 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
+      so_5e = ksl_product_sum((double)R->m22, (double)si->m5, so_5c), so_5 = -so_5e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12016,18 +12075,24 @@ static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0, w_0b = (double)D->m01 * (double)si->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)si->m0, w_1b = (double)D->m11 * (double)si->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)si->m0, w_2b = (double)D->m21 * (double)si->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)si->m3, w_3b = (double)D->m01 * (double)si->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)si->m3, w_4b = (double)D->m11 * (double)si->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)si->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)si->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)si->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)si->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)si->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)si->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)si->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)si->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)si->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)si->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)si->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)si->m5, w_5c);
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -12049,24 +12114,27 @@ static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m23 * (double)si->m4, w_0b = (double)D->m13 * (double)si->m5,
-      w_0c = w_0a - w_0b, w_0 = w_0c + (double)si->m0;
-  const double w_1a = (double)D->m03 * (double)si->m5, w_1b = (double)D->m23 * (double)si->m3,
-      w_1c = w_1a - w_1b, w_1 = w_1c + (double)si->m1;
-  const double w_2a = (double)D->m13 * (double)si->m3, w_2b = (double)D->m03 * (double)si->m4,
-      w_2c = w_2a - w_2b, w_2 = w_2c + (double)si->m2;
+  const double w_0a = (double)D->m23 * (double)si->m4,
+      w_0c = ksl_product_sum(-(double)D->m13, (double)si->m5, w_0a), w_0 = w_0c + (double)si->m0;
+  const double w_1a = (double)D->m03 * (double)si->m5,
+      w_1c = ksl_product_sum(-(double)D->m23, (double)si->m3, w_1a), w_1 = w_1c + (double)si->m1;
+  const double w_2a = (double)D->m13 * (double)si->m3,
+      w_2c = ksl_product_sum(-(double)D->m03, (double)si->m4, w_2a), w_2 = w_2c + (double)si->m2;
   const double so_0a = KSL_MUL((double)D->m00, w_0), so_0b = KSL_MUL((double)D->m10, w_1),
       so_0c = so_0a + so_0b, so_0d = KSL_MUL((double)D->m20, w_2), so_0 = so_0c + so_0d;
   const double so_1a = KSL_MUL((double)D->m01, w_0), so_1b = KSL_MUL((double)D->m11, w_1),
       so_1c = so_1a + so_1b, so_1d = KSL_MUL((double)D->m21, w_2), so_1 = so_1c + so_1d;
   const double so_2a = KSL_MUL((double)D->m02, w_0), so_2b = KSL_MUL((double)D->m12, w_1),
       so_2c = so_2a + so_2b, so_2d = KSL_MUL((double)D->m22, w_2), so_2 = so_2c + so_2d;
-  const double so_3a = (double)D->m00 * (double)si->m3, so_3b = (double)D->m10 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)D->m20 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)D->m01 * (double)si->m3, so_4b = (double)D->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)D->m21 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)D->m02 * (double)si->m3, so_5b = (double)D->m12 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)D->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_3a = (double)D->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)D->m10, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)D->m20, (double)si->m5, so_3c);
+  const double so_4a = (double)D->m01 * (double)si->m3,
+      so_4c = ksl_product_sum((double)D->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)D->m21, (double)si->m5, so_4c);
+  const double so_5a = (double)D->m02 * (double)si->m3,
+      so_5c = ksl_product_sum((double)D->m12, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)D->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12082,18 +12150,24 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0, w_0b = (double)D->m01 * (double)si->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)si->m0, w_1b = (double)D->m11 * (double)si->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)si->m0, w_2b = (double)D->m21 * (double)si->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)si->m3, w_3b = (double)D->m01 * (double)si->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)si->m3, w_4b = (double)D->m11 * (double)si->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)si->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
+      w_0e = ksl_product_sum((double)D->m02, (double)si->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = (double)D->m10 * (double)si->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
+      w_1e = ksl_product_sum((double)D->m12, (double)si->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = (double)D->m20 * (double)si->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
+      w_2e = ksl_product_sum((double)D->m22, (double)si->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = (double)D->m00 * (double)si->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
+      w_3e = ksl_product_sum((double)D->m02, (double)si->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = (double)D->m10 * (double)si->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
+      w_4e = ksl_product_sum((double)D->m12, (double)si->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = (double)D->m20 * (double)si->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
+      w_5e = ksl_product_sum((double)D->m22, (double)si->m5, w_5c), w_5 = -w_5e;
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -12114,12 +12188,12 @@ static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_s
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m20 * (double)D->m13, so_0b = (double)D->m10 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m00 * (double)D->m23, so_1b = (double)D->m20 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m10 * (double)D->m03, so_2b = (double)D->m00 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m20 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m10, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m00 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m10 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, so_2a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -12137,12 +12211,12 @@ static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m21 * (double)D->m13, so_0b = (double)D->m11 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m01 * (double)D->m23, so_1b = (double)D->m21 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m11 * (double)D->m03, so_2b = (double)D->m01 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m21 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m11, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m01 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m11 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, so_2a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -12160,12 +12234,12 @@ static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m22 * (double)D->m13, so_0b = (double)D->m12 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m02 * (double)D->m23, so_1b = (double)D->m22 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m12 * (double)D->m03, so_2b = (double)D->m02 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m22 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m12, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m02 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m12 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, so_2a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -12183,12 +12257,12 @@ static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m10 * (double)D->m23, so_0b = (double)D->m20 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m20 * (double)D->m03, so_1b = (double)D->m00 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m00 * (double)D->m13, so_2b = (double)D->m10 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m10 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m20, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m20 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m00 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m00;
   const double so_4 = -(double)D->m10;
   const double so_5 = -(double)D->m20;
@@ -12206,12 +12280,12 @@ static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m11 * (double)D->m23, so_0b = (double)D->m21 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m21 * (double)D->m03, so_1b = (double)D->m01 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m01 * (double)D->m13, so_2b = (double)D->m11 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m11 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m21, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m21 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m01 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m01;
   const double so_4 = -(double)D->m11;
   const double so_5 = -(double)D->m21;
@@ -12229,12 +12303,12 @@ static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m12 * (double)D->m23, so_0b = (double)D->m22 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m22 * (double)D->m03, so_1b = (double)D->m02 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m02 * (double)D->m13, so_2b = (double)D->m12 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m12 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m22, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m22 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m02 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m02;
   const double so_4 = -(double)D->m12;
   const double so_5 = -(double)D->m22;
@@ -12252,24 +12326,24 @@ static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_03a = (double)D->m20 * (double)D->m13, M_03b = (double)D->m10 * (double)D->m23,
-      M_03 = M_03a - M_03b;
-  const double M_04a = (double)D->m21 * (double)D->m13, M_04b = (double)D->m11 * (double)D->m23,
-      M_04 = M_04a - M_04b;
-  const double M_05a = (double)D->m22 * (double)D->m13, M_05b = (double)D->m12 * (double)D->m23,
-      M_05 = M_05a - M_05b;
-  const double M_13a = (double)D->m00 * (double)D->m23, M_13b = (double)D->m20 * (double)D->m03,
-      M_13 = M_13a - M_13b;
-  const double M_14a = (double)D->m01 * (double)D->m23, M_14b = (double)D->m21 * (double)D->m03,
-      M_14 = M_14a - M_14b;
-  const double M_15a = (double)D->m02 * (double)D->m23, M_15b = (double)D->m22 * (double)D->m03,
-      M_15 = M_15a - M_15b;
-  const double M_23a = (double)D->m10 * (double)D->m03, M_23b = (double)D->m00 * (double)D->m13,
-      M_23 = M_23a - M_23b;
-  const double M_24a = (double)D->m11 * (double)D->m03, M_24b = (double)D->m01 * (double)D->m13,
-      M_24 = M_24a - M_24b;
-  const double M_25a = (double)D->m12 * (double)D->m03, M_25b = (double)D->m02 * (double)D->m13,
-      M_25 = M_25a - M_25b;
+  const double M_03a = (double)D->m20 * (double)D->m13,
+      M_03 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_03a);
+  const double M_04a = (double)D->m21 * (double)D->m13,
+      M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_04a);
+  const double M_05a = (double)D->m22 * (double)D->m13,
+      M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_05a);
+  const double M_13a = (double)D->m00 * (double)D->m23,
+      M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_13a);
+  const double M_14a = (double)D->m01 * (double)D->m23,
+      M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_14a);
+  const double M_15a = (double)D->m02 * (double)D->m23,
+      M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_15a);
+  const double M_23a = (double)D->m10 * (double)D->m03,
+      M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_23a);
+  const double M_24a = (double)D->m11 * (double)D->m03,
+      M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_24a);
+  const double M_25a = (double)D->m12 * (double)D->m03,
+      M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_25a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -12323,12 +12397,12 @@ static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const double power_a = (double)c->m0 * (double)s->m0, power_b = (double)c->m1 * (double)s->m1,
-      power_c = power_a + power_b, power_d = (double)c->m2 * (double)s->m2,
-      power_e = power_c + power_d, power_f = (double)c->m3 * (double)s->m3,
-      power_g = (double)c->m4 * (double)s->m4, power_h = power_f + power_g,
-      power_i = (double)c->m5 * (double)s->m5, power_j = power_h + power_i,
-      power = power_e + power_j;
+  const double power_a = (double)c->m0 * (double)s->m0,
+      power_c = ksl_product_sum((double)c->m1, (double)s->m1, power_a),
+      power_e = ksl_product_sum((double)c->m2, (double)s->m2, power_c),
+      power_f = (double)c->m3 * (double)s->m3,
+      power_h = ksl_product_sum((double)c->m4, (double)s->m4, power_f),
+      power_j = ksl_product_sum((double)c->m5, (double)s->m5, power_h), power = power_e + power_j;
   return (float)power;
 }
 
@@ -12340,21 +12414,24 @@ static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m1 * (double)s2->m5, so_0b = (double)s1->m5 * (double)s2->m1,
-      so_0c = so_0a - so_0b, so_0d = (double)s1->m4 * (double)s2->m2,
-      so_0e = (double)s1->m2 * (double)s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = (double)s1->m5 * (double)s2->m0, so_1b = (double)s1->m0 * (double)s2->m5,
-      so_1c = so_1a - so_1b, so_1d = (double)s1->m2 * (double)s2->m3,
-      so_1e = (double)s1->m3 * (double)s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = (double)s1->m0 * (double)s2->m4, so_2b = (double)s1->m4 * (double)s2->m0,
-      so_2c = so_2a - so_2b, so_2d = (double)s1->m3 * (double)s2->m1,
-      so_2e = (double)s1->m1 * (double)s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = (double)s1->m4 * (double)s2->m5, so_3b = (double)s1->m5 * (double)s2->m4,
-      so_3 = so_3a - so_3b;
-  const double so_4a = (double)s1->m5 * (double)s2->m3, so_4b = (double)s1->m3 * (double)s2->m5,
-      so_4 = so_4a - so_4b;
-  const double so_5a = (double)s1->m3 * (double)s2->m4, so_5b = (double)s1->m4 * (double)s2->m3,
-      so_5 = so_5a - so_5b;
+  const double so_0a = (double)s1->m1 * (double)s2->m5,
+      so_0c = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a),
+      so_0d = (double)s1->m4 * (double)s2->m2,
+      so_0f = ksl_product_sum(-(double)s1->m2, (double)s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = (double)s1->m5 * (double)s2->m0,
+      so_1c = ksl_product_sum(-(double)s1->m0, (double)s2->m5, so_1a),
+      so_1d = (double)s1->m2 * (double)s2->m3,
+      so_1f = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = (double)s1->m0 * (double)s2->m4,
+      so_2c = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a),
+      so_2d = (double)s1->m3 * (double)s2->m1,
+      so_2f = ksl_product_sum(-(double)s1->m1, (double)s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = (double)s1->m4 * (double)s2->m5,
+      so_3 = ksl_product_sum(-(double)s1->m5, (double)s2->m4, so_3a);
+  const double so_4a = (double)s1->m5 * (double)s2->m3,
+      so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, so_4a);
+  const double so_5a = (double)s1->m3 * (double)s2->m4,
+      so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, so_5a);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12370,12 +12447,12 @@ static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m4 * (double)s2->m2, so_0b = (double)s1->m5 * (double)s2->m1,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)s1->m5 * (double)s2->m0, so_1b = (double)s1->m3 * (double)s2->m2,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)s1->m3 * (double)s2->m1, so_2b = (double)s1->m4 * (double)s2->m0,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)s1->m4 * (double)s2->m2,
+      so_0 = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a);
+  const double so_1a = (double)s1->m5 * (double)s2->m0,
+      so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1a);
+  const double so_2a = (double)s1->m3 * (double)s2->m1,
+      so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12391,12 +12468,15 @@ static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_scr
      formula; barring over- and underflow. */
 static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
-      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
-      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
-      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double a_0a = (double)D->m00 * (double)axis->x,
+      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
+      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x,
+      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x,
+      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
   const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
       so_0 = so_0a - so_0b;
   const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
@@ -12418,12 +12498,15 @@ static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
-      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
-      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
-      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = (double)D->m00 * (double)axis->x,
+      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
+      so_0 = ksl_product_sum((double)D->m02, (double)axis->z, so_0c);
+  const double so_1a = (double)D->m10 * (double)axis->x,
+      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
+      so_1 = ksl_product_sum((double)D->m12, (double)axis->z, so_1c);
+  const double so_2a = (double)D->m20 * (double)axis->x,
+      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
+      so_2 = ksl_product_sum((double)D->m22, (double)axis->z, so_2c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12439,12 +12522,15 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
-      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
-      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
-      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double a_0a = (double)D->m00 * (double)axis->x,
+      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
+      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x,
+      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x,
+      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
   const double so_0a = KSL_MUL((double)D->m23, a_1), so_0b = KSL_MUL((double)D->m13, a_2),
       so_0 = so_0a - so_0b;
   const double so_1a = KSL_MUL((double)D->m03, a_2), so_1b = KSL_MUL((double)D->m23, a_0),
@@ -12469,15 +12555,15 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
      formula; barring over- and underflow. */
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
-      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
-  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
-      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
-  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
-      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
+  const double so_0a = (double)D->m00 * (double)axis->x,
+      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
+      so_0e = ksl_product_sum((double)D->m02, (double)axis->z, so_0c), so_0 = -so_0e;
+  const double so_1a = (double)D->m10 * (double)axis->x,
+      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
+      so_1e = ksl_product_sum((double)D->m12, (double)axis->z, so_1c), so_1 = -so_1e;
+  const double so_2a = (double)D->m20 * (double)axis->x,
+      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
+      so_2e = ksl_product_sum((double)D->m22, (double)axis->z, so_2c), so_2 = -so_2e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -15168,12 +15254,12 @@ static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float
      over- and underflow. */
 static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->m0, y_0_new = y_0_new_a + (double)y->m0;
-  const double y_1_new_a = (double)a * (double)x->m1, y_1_new = y_1_new_a + (double)y->m1;
-  const double y_2_new_a = (double)a * (double)x->m2, y_2_new = y_2_new_a + (double)y->m2;
-  const double y_3_new_a = (double)a * (double)x->m3, y_3_new = y_3_new_a + (double)y->m3;
-  const double y_4_new_a = (double)a * (double)x->m4, y_4_new = y_4_new_a + (double)y->m4;
-  const double y_5_new_a = (double)a * (double)x->m5, y_5_new = y_5_new_a + (double)y->m5;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
+  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
+  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -15480,12 +15566,12 @@ static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->y * (double)ci->m2, co_3b = (double)t->z * (double)ci->m1,
-      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->z * (double)ci->m0, co_4b = (double)t->x * (double)ci->m2,
-      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->x * (double)ci->m1, co_5b = (double)t->y * (double)ci->m0,
-      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const double co_3a = (double)t->y * (double)ci->m2,
+      co_3c = ksl_product_sum(-(double)t->z, (double)ci->m1, co_3a), co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->z * (double)ci->m0,
+      co_4c = ksl_product_sum(-(double)t->x, (double)ci->m2, co_4a), co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->x * (double)ci->m1,
+      co_5c = ksl_product_sum(-(double)t->y, (double)ci->m0, co_5a), co_5 = co_5c + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -15504,12 +15590,12 @@ static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
-      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
-      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
-      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const double co_3a = (double)t->z * (double)ci->m1,
+      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2,
+      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0,
+      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -15531,12 +15617,12 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
   const double co_0 = -(double)ci->m0;
   const double co_1 = -(double)ci->m1;
   const double co_2 = -(double)ci->m2;
-  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
-      co_3c = co_3a - co_3b, co_3 = co_3c - (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
-      co_4c = co_4a - co_4b, co_4 = co_4c - (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
-      co_5c = co_5a - co_5b, co_5 = co_5c - (double)ci->m5;
+  const double co_3a = (double)t->z * (double)ci->m1,
+      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c - (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2,
+      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c - (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0,
+      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c - (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15552,18 +15638,24 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
      over- and underflow. */
 static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m10 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m20 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
+      co_3 = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m10 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4 = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m20 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15579,18 +15671,24 @@ static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m10 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)R->m01 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)R->m02 * (double)ci->m0, co_2b = (double)R->m12 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m10 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m20 * (double)ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = (double)R->m01 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m21 * (double)ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = (double)R->m02 * (double)ci->m3, co_5b = (double)R->m12 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m10, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)R->m20, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m01 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)R->m21, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m02 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m12, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m10, (double)ci->m4, co_3a),
+      co_3 = ksl_product_sum((double)R->m20, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m01 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4 = ksl_product_sum((double)R->m21, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m02 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m12, (double)ci->m4, co_5a),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15606,24 +15704,24 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
      over- and underflow. */
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0e = co_0c + co_0d,
-      co_0 = -co_0e;
-  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1e = co_1c + co_1d,
-      co_1 = -co_1e;
-  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2e = co_2c + co_2d,
-      co_2 = -co_2e;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3e = co_3c + co_3d,
-      co_3 = -co_3e;
-  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4e = co_4c + co_4d,
-      co_4 = -co_4e;
-  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5e = co_5c + co_5d,
-      co_5 = -co_5e;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
+      co_0e = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c), co_0 = -co_0e;
+  const double co_1a = (double)R->m10 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1e = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c), co_1 = -co_1e;
+  const double co_2a = (double)R->m20 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
+      co_2e = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c), co_2 = -co_2e;
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
+      co_3e = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c), co_3 = -co_3e;
+  const double co_4a = (double)R->m10 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4e = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c), co_4 = -co_4e;
+  const double co_5a = (double)R->m20 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
+      co_5e = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15639,18 +15737,24 @@ static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)ci->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)ci->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)ci->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)ci->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)ci->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)ci->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -15672,18 +15776,21 @@ static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_co
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_3a = (double)D->m23 * (double)ci->m1, w_3b = (double)D->m13 * (double)ci->m2,
-      w_3c = w_3a - w_3b, w_3 = w_3c + (double)ci->m3;
-  const double w_4a = (double)D->m03 * (double)ci->m2, w_4b = (double)D->m23 * (double)ci->m0,
-      w_4c = w_4a - w_4b, w_4 = w_4c + (double)ci->m4;
-  const double w_5a = (double)D->m13 * (double)ci->m0, w_5b = (double)D->m03 * (double)ci->m1,
-      w_5c = w_5a - w_5b, w_5 = w_5c + (double)ci->m5;
-  const double co_0a = (double)D->m00 * (double)ci->m0, co_0b = (double)D->m10 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)D->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)D->m01 * (double)ci->m0, co_1b = (double)D->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)D->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)D->m02 * (double)ci->m0, co_2b = (double)D->m12 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)D->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
+  const double w_3a = (double)D->m23 * (double)ci->m1,
+      w_3c = ksl_product_sum(-(double)D->m13, (double)ci->m2, w_3a), w_3 = w_3c + (double)ci->m3;
+  const double w_4a = (double)D->m03 * (double)ci->m2,
+      w_4c = ksl_product_sum(-(double)D->m23, (double)ci->m0, w_4a), w_4 = w_4c + (double)ci->m4;
+  const double w_5a = (double)D->m13 * (double)ci->m0,
+      w_5c = ksl_product_sum(-(double)D->m03, (double)ci->m1, w_5a), w_5 = w_5c + (double)ci->m5;
+  const double co_0a = (double)D->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)D->m10, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)D->m20, (double)ci->m2, co_0c);
+  const double co_1a = (double)D->m01 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)D->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)D->m21, (double)ci->m2, co_1c);
+  const double co_2a = (double)D->m02 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)D->m12, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)D->m22, (double)ci->m2, co_2c);
   const double co_3a = KSL_MUL((double)D->m00, w_3), co_3b = KSL_MUL((double)D->m10, w_4),
       co_3c = co_3a + co_3b, co_3d = KSL_MUL((double)D->m20, w_5), co_3 = co_3c + co_3d;
   const double co_4a = KSL_MUL((double)D->m01, w_3), co_4b = KSL_MUL((double)D->m11, w_4),
@@ -15705,18 +15812,24 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)ci->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
+      w_0e = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = (double)D->m10 * (double)ci->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
+      w_1e = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = (double)D->m20 * (double)ci->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
+      w_2e = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = (double)D->m00 * (double)ci->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
+      w_3e = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = (double)D->m10 * (double)ci->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
+      w_4e = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = (double)D->m20 * (double)ci->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
+      w_5e = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c), w_5 = -w_5e;
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -15737,12 +15850,12 @@ static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m20 * (double)D->m13, co_3b = (double)D->m10 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m00 * (double)D->m23, co_4b = (double)D->m20 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m10 * (double)D->m03, co_5b = (double)D->m00 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m20 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m10, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m00 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m10 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, co_5a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -15760,12 +15873,12 @@ static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m21 * (double)D->m13, co_3b = (double)D->m11 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m01 * (double)D->m23, co_4b = (double)D->m21 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m11 * (double)D->m03, co_5b = (double)D->m01 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m21 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m11, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m01 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m11 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, co_5a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -15783,12 +15896,12 @@ static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m22 * (double)D->m13, co_3b = (double)D->m12 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m02 * (double)D->m23, co_4b = (double)D->m22 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m12 * (double)D->m03, co_5b = (double)D->m02 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m22 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m12, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m02 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m12 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, co_5a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -15809,12 +15922,12 @@ static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m00;
   const double co_1 = -(double)D->m10;
   const double co_2 = -(double)D->m20;
-  const double co_3a = (double)D->m10 * (double)D->m23, co_3b = (double)D->m20 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m20 * (double)D->m03, co_4b = (double)D->m00 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m00 * (double)D->m13, co_5b = (double)D->m10 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m10 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m20 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m00 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15832,12 +15945,12 @@ static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m01;
   const double co_1 = -(double)D->m11;
   const double co_2 = -(double)D->m21;
-  const double co_3a = (double)D->m11 * (double)D->m23, co_3b = (double)D->m21 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m21 * (double)D->m03, co_4b = (double)D->m01 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m01 * (double)D->m13, co_5b = (double)D->m11 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m11 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m21 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m01 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15855,12 +15968,12 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m02;
   const double co_1 = -(double)D->m12;
   const double co_2 = -(double)D->m22;
-  const double co_3a = (double)D->m12 * (double)D->m23, co_3b = (double)D->m22 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m22 * (double)D->m03, co_4b = (double)D->m02 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m02 * (double)D->m13, co_5b = (double)D->m12 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m12 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m22 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m02 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15875,24 +15988,24 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_30a = (double)D->m20 * (double)D->m13, M_30b = (double)D->m10 * (double)D->m23,
-      M_30 = M_30a - M_30b;
-  const double M_31a = (double)D->m21 * (double)D->m13, M_31b = (double)D->m11 * (double)D->m23,
-      M_31 = M_31a - M_31b;
-  const double M_32a = (double)D->m22 * (double)D->m13, M_32b = (double)D->m12 * (double)D->m23,
-      M_32 = M_32a - M_32b;
-  const double M_40a = (double)D->m00 * (double)D->m23, M_40b = (double)D->m20 * (double)D->m03,
-      M_40 = M_40a - M_40b;
-  const double M_41a = (double)D->m01 * (double)D->m23, M_41b = (double)D->m21 * (double)D->m03,
-      M_41 = M_41a - M_41b;
-  const double M_42a = (double)D->m02 * (double)D->m23, M_42b = (double)D->m22 * (double)D->m03,
-      M_42 = M_42a - M_42b;
-  const double M_50a = (double)D->m10 * (double)D->m03, M_50b = (double)D->m00 * (double)D->m13,
-      M_50 = M_50a - M_50b;
-  const double M_51a = (double)D->m11 * (double)D->m03, M_51b = (double)D->m01 * (double)D->m13,
-      M_51 = M_51a - M_51b;
-  const double M_52a = (double)D->m12 * (double)D->m03, M_52b = (double)D->m02 * (double)D->m13,
-      M_52 = M_52a - M_52b;
+  const double M_30a = (double)D->m20 * (double)D->m13,
+      M_30 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_30a);
+  const double M_31a = (double)D->m21 * (double)D->m13,
+      M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_31a);
+  const double M_32a = (double)D->m22 * (double)D->m13,
+      M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_32a);
+  const double M_40a = (double)D->m00 * (double)D->m23,
+      M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_40a);
+  const double M_41a = (double)D->m01 * (double)D->m23,
+      M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_41a);
+  const double M_42a = (double)D->m02 * (double)D->m23,
+      M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_42a);
+  const double M_50a = (double)D->m10 * (double)D->m03,
+      M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_50a);
+  const double M_51a = (double)D->m11 * (double)D->m03,
+      M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_51a);
+  const double M_52a = (double)D->m12 * (double)D->m03,
+      M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_52a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -15946,12 +16059,12 @@ static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, const float x[6]) {
-  const double power_a = (double)c->m0 * (double)x[3], power_b = (double)c->m1 * (double)x[4],
-      power_c = power_a + power_b, power_d = (double)c->m2 * (double)x[5],
-      power_e = power_c + power_d, power_f = (double)c->m3 * (double)x[0],
-      power_g = (double)c->m4 * (double)x[1], power_h = power_f + power_g,
-      power_i = (double)c->m5 * (double)x[2], power_j = power_h + power_i,
-      power = power_e + power_j;
+  const double power_a = (double)c->m0 * (double)x[3],
+      power_c = ksl_product_sum((double)c->m1, (double)x[4], power_a),
+      power_e = ksl_product_sum((double)c->m2, (double)x[5], power_c),
+      power_f = (double)c->m3 * (double)x[0],
+      power_h = ksl_product_sum((double)c->m4, (double)x[1], power_f),
+      power_j = ksl_product_sum((double)c->m5, (double)x[2], power_h), power = power_e + power_j;
   return (float)power;
 }
 
@@ -15962,21 +16075,24 @@ static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, co
      formula; barring over- and underflow. */
 static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)s->m4 * (double)c->m2, co_0b = (double)s->m5 * (double)c->m1,
-      co_0 = co_0a - co_0b;
-  const double co_1a = (double)s->m5 * (double)c->m0, co_1b = (double)s->m3 * (double)c->m2,
-      co_1 = co_1a - co_1b;
-  const double co_2a = (double)s->m3 * (double)c->m1, co_2b = (double)s->m4 * (double)c->m0,
-      co_2 = co_2a - co_2b;
-  const double co_3a = (double)s->m1 * (double)c->m2, co_3b = (double)s->m2 * (double)c->m1,
-      co_3c = co_3a - co_3b, co_3d = (double)s->m4 * (double)c->m5,
-      co_3e = (double)s->m5 * (double)c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = (double)s->m2 * (double)c->m0, co_4b = (double)s->m0 * (double)c->m2,
-      co_4c = co_4a - co_4b, co_4d = (double)s->m5 * (double)c->m3,
-      co_4e = (double)s->m3 * (double)c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = (double)s->m0 * (double)c->m1, co_5b = (double)s->m1 * (double)c->m0,
-      co_5c = co_5a - co_5b, co_5d = (double)s->m3 * (double)c->m4,
-      co_5e = (double)s->m4 * (double)c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = (double)s->m4 * (double)c->m2,
+      co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, co_0a);
+  const double co_1a = (double)s->m5 * (double)c->m0,
+      co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, co_1a);
+  const double co_2a = (double)s->m3 * (double)c->m1,
+      co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, co_2a);
+  const double co_3a = (double)s->m1 * (double)c->m2,
+      co_3c = ksl_product_sum(-(double)s->m2, (double)c->m1, co_3a),
+      co_3d = (double)s->m4 * (double)c->m5,
+      co_3f = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3d), co_3 = co_3c + co_3f;
+  const double co_4a = (double)s->m2 * (double)c->m0,
+      co_4c = ksl_product_sum(-(double)s->m0, (double)c->m2, co_4a),
+      co_4d = (double)s->m5 * (double)c->m3,
+      co_4f = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4d), co_4 = co_4c + co_4f;
+  const double co_5a = (double)s->m0 * (double)c->m1,
+      co_5c = ksl_product_sum(-(double)s->m1, (double)c->m0, co_5a),
+      co_5d = (double)s->m3 * (double)c->m4,
+      co_5f = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15992,12 +16108,12 @@ static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscr
      formula; barring over- and underflow. */
 static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)s->m4 * (double)c->m5, co_3b = (double)s->m5 * (double)c->m4,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)s->m5 * (double)c->m3, co_4b = (double)s->m3 * (double)c->m5,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)s->m3 * (double)c->m4, co_5b = (double)s->m4 * (double)c->m3,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)s->m4 * (double)c->m5,
+      co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3a);
+  const double co_4a = (double)s->m5 * (double)c->m3,
+      co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4a);
+  const double co_5a = (double)s->m3 * (double)c->m4,
+      co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5a);
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -16013,18 +16129,21 @@ static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m01 * (double)c->m1, w_0b = (double)D->m02 * (double)c->m2,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m11 * (double)c->m1, w_1b = (double)D->m12 * (double)c->m2,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m21 * (double)c->m1, w_2b = (double)D->m22 * (double)c->m2,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m01 * (double)c->m1,
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
+  const double w_1a = (double)D->m11 * (double)c->m1,
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
+  const double w_2a = (double)D->m21 * (double)c->m1,
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -16046,18 +16165,21 @@ static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m02 * (double)c->m2,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m12 * (double)c->m2,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m22 * (double)c->m2,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -16079,18 +16201,21 @@ static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0 = ksl_product_sum((double)D->m01, (double)c->m1, w_0a);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1 = ksl_product_sum((double)D->m11, (double)c->m1, w_1a);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2 = ksl_product_sum((double)D->m21, (double)c->m1, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -16112,18 +16237,21 @@ static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m01 * (double)c->m4, w_3b = (double)D->m02 * (double)c->m5,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m11 * (double)c->m4, w_4b = (double)D->m12 * (double)c->m5,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m21 * (double)c->m4, w_5b = (double)D->m22 * (double)c->m5,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m01 * (double)c->m4,
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
+  const double w_4a = (double)D->m11 * (double)c->m4,
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
+  const double w_5a = (double)D->m21 * (double)c->m4,
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -16145,18 +16273,21 @@ static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m02 * (double)c->m5,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m12 * (double)c->m5,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m22 * (double)c->m5,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -16178,18 +16309,21 @@ static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3 = ksl_product_sum((double)D->m01, (double)c->m4, w_3a);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4 = ksl_product_sum((double)D->m11, (double)c->m4, w_4a);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5 = ksl_product_sum((double)D->m21, (double)c->m4, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -19192,10 +19326,10 @@ static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const
      over- and underflow. */
 static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t *x,
     ksl_quaternionf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
-  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
-  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
-  const double y_3_new_a = (double)a * (double)x->w, y_3_new = y_3_new_a + (double)y->w;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->w, (double)y->w);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -19322,12 +19456,12 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
      over- and underflow. */
 static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0a = (double)q->y * (double)v->z, c_0b = (double)q->z * (double)v->y,
-      c_0 = c_0a - c_0b;
-  const double c_1a = (double)q->z * (double)v->x, c_1b = (double)q->x * (double)v->z,
-      c_1 = c_1a - c_1b;
-  const double c_2a = (double)q->x * (double)v->y, c_2b = (double)q->y * (double)v->x,
-      c_2 = c_2a - c_2b;
+  const double c_0a = (double)q->y * (double)v->z,
+      c_0 = ksl_product_sum(-(double)q->z, (double)v->y, c_0a);
+  const double c_1a = (double)q->z * (double)v->x,
+      c_1 = ksl_product_sum(-(double)q->x, (double)v->z, c_1a);
+  const double c_2a = (double)q->x * (double)v->y,
+      c_2 = ksl_product_sum(-(double)q->y, (double)v->x, c_2a);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
@@ -19352,12 +19486,12 @@ static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl
      over- and underflow. */
 static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0a = (double)q->z * (double)v->y, c_0b = (double)q->y * (double)v->z,
-      c_0 = c_0a - c_0b;
-  const double c_1a = (double)q->x * (double)v->z, c_1b = (double)q->z * (double)v->x,
-      c_1 = c_1a - c_1b;
-  const double c_2a = (double)q->y * (double)v->x, c_2b = (double)q->x * (double)v->y,
-      c_2 = c_2a - c_2b;
+  const double c_0a = (double)q->z * (double)v->y,
+      c_0 = ksl_product_sum(-(double)q->y, (double)v->z, c_0a);
+  const double c_1a = (double)q->x * (double)v->z,
+      c_1 = ksl_product_sum(-(double)q->z, (double)v->x, c_1a);
+  const double c_2a = (double)q->y * (double)v->x,
+      c_2 = ksl_product_sum(-(double)q->x, (double)v->y, c_2a);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
@@ -19382,18 +19516,22 @@ static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const
      over- and underflow. */
 static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->y * (double)q2i->z,
-      qo_0c = (double)q1i->z * (double)q2i->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c + qo_1d,
-      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c + qo_2d,
-      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0b = (double)q1i->y * (double)q2i->z,
+      qo_0d = ksl_product_sum(-(double)q1i->z, (double)q2i->y, qo_0b),
+      qo_0e = ksl_product_sum((double)q1i->x, (double)q2i->w, qo_0d),
+      qo_0 = ksl_product_sum((double)q1i->w, (double)q2i->x, qo_0e);
+  const double qo_1a = (double)q1i->z * (double)q2i->x,
+      qo_1c = ksl_product_sum(-(double)q1i->x, (double)q2i->z, qo_1a),
+      qo_1e = ksl_product_sum((double)q1i->y, (double)q2i->w, qo_1c),
+      qo_1 = ksl_product_sum((double)q1i->w, (double)q2i->y, qo_1e);
+  const double qo_2a = (double)q1i->x * (double)q2i->y,
+      qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
+      qo_2e = ksl_product_sum((double)q1i->z, (double)q2i->w, qo_2c),
+      qo_2 = ksl_product_sum((double)q1i->w, (double)q2i->z, qo_2e);
+  const double qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
+      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19407,18 +19545,22 @@ static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
      formula; barring over- and underflow. */
 static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->w * (double)q2i->x,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
-      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w,
-      qo_1e = (double)q1i->w * (double)q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w,
-      qo_2e = (double)q1i->w * (double)q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = (double)q1i->x * (double)q2i->w,
+      qo_0c = ksl_product_sum(-(double)q1i->w, (double)q2i->x, qo_0a),
+      qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0f = ksl_product_sum(-(double)q1i->y, (double)q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z,
+      qo_1c = ksl_product_sum(-(double)q1i->z, (double)q2i->x, qo_1a),
+      qo_1d = (double)q1i->y * (double)q2i->w,
+      qo_1f = ksl_product_sum(-(double)q1i->w, (double)q2i->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x,
+      qo_2c = ksl_product_sum(-(double)q1i->x, (double)q2i->y, qo_2a),
+      qo_2d = (double)q1i->z * (double)q2i->w,
+      qo_2f = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x,
+      qo_3c = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3a),
+      qo_3e = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3c),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3e);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19432,18 +19574,22 @@ static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
      formula; barring over- and underflow. */
 static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->w * (double)q2i->x, qo_0b = (double)q1i->x * (double)q2i->w,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
-      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->w * (double)q2i->y,
-      qo_1e = (double)q1i->y * (double)q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->w * (double)q2i->z,
-      qo_2e = (double)q1i->z * (double)q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = (double)q1i->w * (double)q2i->x,
+      qo_0c = ksl_product_sum(-(double)q1i->x, (double)q2i->w, qo_0a),
+      qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0f = ksl_product_sum(-(double)q1i->y, (double)q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z,
+      qo_1c = ksl_product_sum(-(double)q1i->z, (double)q2i->x, qo_1a),
+      qo_1d = (double)q1i->w * (double)q2i->y,
+      qo_1f = ksl_product_sum(-(double)q1i->y, (double)q2i->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x,
+      qo_2c = ksl_product_sum(-(double)q1i->x, (double)q2i->y, qo_2a),
+      qo_2d = (double)q1i->w * (double)q2i->z,
+      qo_2f = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x,
+      qo_3c = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3a),
+      qo_3e = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3c),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3e);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19457,18 +19603,22 @@ static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
      over- and underflow. */
 static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->y * (double)q2i->z, qo_0b = (double)q1i->z * (double)q2i->y,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->x * (double)q2i->w, qo_0e = qo_0c - qo_0d,
-      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e - qo_0f;
-  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c - qo_1d,
-      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e - qo_1f;
-  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c - qo_2d,
-      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e - qo_2f;
-  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0a = (double)q1i->y * (double)q2i->z,
+      qo_0c = ksl_product_sum(-(double)q1i->z, (double)q2i->y, qo_0a),
+      qo_0e = ksl_product_sum(-(double)q1i->x, (double)q2i->w, qo_0c),
+      qo_0 = ksl_product_sum(-(double)q1i->w, (double)q2i->x, qo_0e);
+  const double qo_1a = (double)q1i->z * (double)q2i->x,
+      qo_1c = ksl_product_sum(-(double)q1i->x, (double)q2i->z, qo_1a),
+      qo_1e = ksl_product_sum(-(double)q1i->y, (double)q2i->w, qo_1c),
+      qo_1 = ksl_product_sum(-(double)q1i->w, (double)q2i->y, qo_1e);
+  const double qo_2a = (double)q1i->x * (double)q2i->y,
+      qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
+      qo_2e = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2c),
+      qo_2 = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2e);
+  const double qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
+      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19482,14 +19632,14 @@ static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i
      over- and underflow. */
 static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->z,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19503,14 +19653,14 @@ static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[0] * (double)qi->x,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19524,14 +19674,14 @@ static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->w,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->y,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->x,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19545,14 +19695,14 @@ static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19566,14 +19716,14 @@ static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->y * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19587,14 +19737,14 @@ static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->x * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19608,14 +19758,14 @@ static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->w * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->w * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1c = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->x * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19629,14 +19779,14 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->z * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->z * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19650,14 +19800,14 @@ static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->x,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19671,14 +19821,14 @@ static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->y,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19692,14 +19842,14 @@ static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->z,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->w,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->y,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19713,14 +19863,14 @@ static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19734,14 +19884,14 @@ static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19755,14 +19905,14 @@ static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->x * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->y * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19776,14 +19926,14 @@ static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->z * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->w * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->z * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->w * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->y * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19797,14 +19947,14 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1c = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19818,14 +19968,14 @@ static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->y,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19839,14 +19989,14 @@ static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->z,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19860,14 +20010,14 @@ static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->x,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->w,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->z,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19881,14 +20031,14 @@ static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19902,14 +20052,14 @@ static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->x * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19923,14 +20073,14 @@ static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1 = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->z * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19944,14 +20094,14 @@ static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->w * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->w * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->z * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19965,14 +20115,14 @@ static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->y * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->y * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1c = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2c = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19986,15 +20136,18 @@ static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->y * (double)vi->z, qo_0b = (double)qi->z * (double)vi->y,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = (double)qi->z * (double)vi->x, qo_1b = (double)qi->x * (double)vi->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)qi->x * (double)vi->y, qo_2b = (double)qi->y * (double)vi->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3e = qo_3c + qo_3d,
-      qo_3 = -qo_3e;
+  const double qo_0a = (double)qi->y * (double)vi->z,
+      qo_0c = ksl_product_sum(-(double)qi->z, (double)vi->y, qo_0a),
+      qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, qo_0c);
+  const double qo_1a = (double)qi->z * (double)vi->x,
+      qo_1c = ksl_product_sum(-(double)qi->x, (double)vi->z, qo_1a),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, qo_1c);
+  const double qo_2a = (double)qi->x * (double)vi->y,
+      qo_2c = ksl_product_sum(-(double)qi->y, (double)vi->x, qo_2a),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
+  const double qo_3a = (double)qi->x * (double)vi->x,
+      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
+      qo_3e = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c), qo_3 = -qo_3e;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20008,14 +20161,18 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const k
      over- and underflow. */
 static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
     const ksl_vec3f_t *vi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->z * (double)vi->y, qo_0b = (double)qi->y * (double)vi->z,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = (double)qi->x * (double)vi->z, qo_1b = (double)qi->z * (double)vi->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)qi->y * (double)vi->x, qo_2b = (double)qi->x * (double)vi->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3 = qo_3c + qo_3d;
+  const double qo_0a = (double)qi->z * (double)vi->y,
+      qo_0c = ksl_product_sum(-(double)qi->y, (double)vi->z, qo_0a),
+      qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, qo_0c);
+  const double qo_1a = (double)qi->x * (double)vi->z,
+      qo_1c = ksl_product_sum(-(double)qi->z, (double)vi->x, qo_1a),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, qo_1c);
+  const double qo_2a = (double)qi->y * (double)vi->x,
+      qo_2c = ksl_product_sum(-(double)qi->x, (double)vi->y, qo_2a),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
+  const double qo_3a = (double)qi->x * (double)vi->x,
+      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
+      qo_3 = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20029,15 +20186,18 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
      over- and underflow. */
 static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->y * (double)qi->z,
-      qo_0c = (double)vi->z * (double)qi->y, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = (double)vi->z * (double)qi->x, qo_1b = (double)vi->x * (double)qi->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)vi->x * (double)qi->y, qo_2b = (double)vi->y * (double)qi->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3e = qo_3c + qo_3d,
-      qo_3 = -qo_3e;
+  const double qo_0b = (double)vi->y * (double)qi->z,
+      qo_0d = ksl_product_sum(-(double)vi->z, (double)qi->y, qo_0b),
+      qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, qo_0d);
+  const double qo_1a = (double)vi->z * (double)qi->x,
+      qo_1c = ksl_product_sum(-(double)vi->x, (double)qi->z, qo_1a),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, qo_1c);
+  const double qo_2a = (double)vi->x * (double)qi->y,
+      qo_2c = ksl_product_sum(-(double)vi->y, (double)qi->x, qo_2a),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
+  const double qo_3a = (double)vi->x * (double)qi->x,
+      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
+      qo_3e = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c), qo_3 = -qo_3e;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20051,14 +20211,18 @@ static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_qua
      over- and underflow. */
 static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->z * (double)qi->y,
-      qo_0c = (double)vi->y * (double)qi->z, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = (double)vi->x * (double)qi->z, qo_1b = (double)vi->z * (double)qi->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)vi->y * (double)qi->x, qo_2b = (double)vi->x * (double)qi->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3 = qo_3c + qo_3d;
+  const double qo_0b = (double)vi->z * (double)qi->y,
+      qo_0d = ksl_product_sum(-(double)vi->y, (double)qi->z, qo_0b),
+      qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, qo_0d);
+  const double qo_1a = (double)vi->x * (double)qi->z,
+      qo_1c = ksl_product_sum(-(double)vi->z, (double)qi->x, qo_1a),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, qo_1c);
+  const double qo_2a = (double)vi->y * (double)qi->x,
+      qo_2c = ksl_product_sum(-(double)vi->x, (double)qi->y, qo_2a),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
+  const double qo_3a = (double)vi->x * (double)qi->x,
+      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
+      qo_3 = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20072,9 +20236,10 @@ static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
      over- and underflow. */
 static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i) {
-  const double dot_a = (double)q1i->x * (double)q2i->x, dot_b = (double)q1i->y * (double)q2i->y,
-      dot_c = dot_a + dot_b, dot_d = (double)q1i->z * (double)q2i->z, dot_e = dot_c + dot_d,
-      dot_f = (double)q1i->w * (double)q2i->w, dot = dot_e + dot_f;
+  const double dot_a = (double)q1i->x * (double)q2i->x,
+      dot_c = ksl_product_sum((double)q1i->y, (double)q2i->y, dot_a),
+      dot_e = ksl_product_sum((double)q1i->z, (double)q2i->z, dot_c),
+      dot = ksl_product_sum((double)q1i->w, (double)q2i->w, dot_e);
   return (float)dot;
 }
 
@@ -20148,10 +20313,11 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
   const double dqo_0a = 0.5 * (double)w->x, dqo_0b = KSL_MUL(dqo_0a, (double)qi->w),
       dqo_0c = 0.5 * (double)w->y, dqo_0d = KSL_MUL(dqo_0c, (double)qi->z),
       dqo_0e = 0.5 * (double)w->z, dqo_0f = KSL_MUL(dqo_0e, (double)qi->y),
-      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = (double)qi->x * (double)qi->x,
-      dqo_0j = 1.0 - dqo_0i, dqo_0k = (double)qi->y * (double)qi->y, dqo_0l = dqo_0j - dqo_0k,
-      dqo_0m = (double)qi->z * (double)qi->z, dqo_0n = dqo_0l - dqo_0m,
-      dqo_0o = (double)qi->w * (double)qi->w, dqo_0p = dqo_0n - dqo_0o,
+      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g,
+      dqo_0j = ksl_product_sum(-(double)qi->x, (double)qi->x, 1.0),
+      dqo_0l = ksl_product_sum(-(double)qi->y, (double)qi->y, dqo_0j),
+      dqo_0n = ksl_product_sum(-(double)qi->z, (double)qi->z, dqo_0l),
+      dqo_0p = ksl_product_sum(-(double)qi->w, (double)qi->w, dqo_0n),
       dqo_0q = KSL_MUL((double)qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
   const double dqo_1a = KSL_MUL(dqo_0e, (double)qi->x), dqo_1b = KSL_MUL(dqo_0a, (double)qi->z),
       dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, (double)qi->w), dqo_1e = dqo_1c + dqo_1d,
@@ -21400,26 +21566,26 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
-  const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = (double)self->m10 * (double)self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = (double)self->m20 * (double)self->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = (double)self->m01 * (double)self->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = (double)self->m11 * (double)self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = (double)self->m21 * (double)self->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = (double)self->m02 * (double)self->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = (double)self->m12 * (double)self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = (double)self->m22 * (double)self->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_0b = ksl_product_sum(-(double)self->m00, (double)self->m00, 1.0),
+      defect_0d = ksl_product_sum(-(double)self->m10, (double)self->m10, defect_0b),
+      defect_0 = ksl_product_sum(-(double)self->m20, (double)self->m20, defect_0d);
+  const double defect_1b = ksl_product_sum(-(double)self->m01, (double)self->m01, 1.0),
+      defect_1d = ksl_product_sum(-(double)self->m11, (double)self->m11, defect_1b),
+      defect_1 = ksl_product_sum(-(double)self->m21, (double)self->m21, defect_1d);
+  const double defect_2b = ksl_product_sum(-(double)self->m02, (double)self->m02, 1.0),
+      defect_2d = ksl_product_sum(-(double)self->m12, (double)self->m12, defect_2b),
+      defect_2 = ksl_product_sum(-(double)self->m22, (double)self->m22, defect_2d);
   const double defect_3a = (double)self->m00 * (double)self->m01,
-      defect_3b = (double)self->m10 * (double)self->m11, defect_3c = defect_3a + defect_3b,
-      defect_3d = (double)self->m20 * (double)self->m21, defect_3e = defect_3c + defect_3d,
+      defect_3c = ksl_product_sum((double)self->m10, (double)self->m11, defect_3a),
+      defect_3e = ksl_product_sum((double)self->m20, (double)self->m21, defect_3c),
       defect_3 = -defect_3e;
   const double defect_4a = (double)self->m00 * (double)self->m02,
-      defect_4b = (double)self->m10 * (double)self->m12, defect_4c = defect_4a + defect_4b,
-      defect_4d = (double)self->m20 * (double)self->m22, defect_4e = defect_4c + defect_4d,
+      defect_4c = ksl_product_sum((double)self->m10, (double)self->m12, defect_4a),
+      defect_4e = ksl_product_sum((double)self->m20, (double)self->m22, defect_4c),
       defect_4 = -defect_4e;
   const double defect_5a = (double)self->m01 * (double)self->m02,
-      defect_5b = (double)self->m11 * (double)self->m12, defect_5c = defect_5a + defect_5b,
-      defect_5d = (double)self->m21 * (double)self->m22, defect_5e = defect_5c + defect_5d,
+      defect_5c = ksl_product_sum((double)self->m11, (double)self->m12, defect_5a),
+      defect_5e = ksl_product_sum((double)self->m21, (double)self->m22, defect_5c),
       defect_5 = -defect_5e;
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
@@ -21498,27 +21664,24 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = (double)R->m10 * (double)R->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = (double)R->m20 * (double)R->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = (double)R->m01 * (double)R->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = (double)R->m11 * (double)R->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = (double)R->m21 * (double)R->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = (double)R->m02 * (double)R->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = (double)R->m12 * (double)R->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = (double)R->m22 * (double)R->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_0b = ksl_product_sum(-(double)R->m00, (double)R->m00, 1.0),
+      defect_0d = ksl_product_sum(-(double)R->m10, (double)R->m10, defect_0b),
+      defect_0 = ksl_product_sum(-(double)R->m20, (double)R->m20, defect_0d);
+  const double defect_1b = ksl_product_sum(-(double)R->m01, (double)R->m01, 1.0),
+      defect_1d = ksl_product_sum(-(double)R->m11, (double)R->m11, defect_1b),
+      defect_1 = ksl_product_sum(-(double)R->m21, (double)R->m21, defect_1d);
+  const double defect_2b = ksl_product_sum(-(double)R->m02, (double)R->m02, 1.0),
+      defect_2d = ksl_product_sum(-(double)R->m12, (double)R->m12, defect_2b),
+      defect_2 = ksl_product_sum(-(double)R->m22, (double)R->m22, defect_2d);
   const double defect_3a = (double)R->m00 * (double)R->m01,
-      defect_3b = (double)R->m10 * (double)R->m11, defect_3c = defect_3a + defect_3b,
-      defect_3d = (double)R->m20 * (double)R->m21, defect_3e = defect_3c + defect_3d,
-      defect_3 = -defect_3e;
+      defect_3c = ksl_product_sum((double)R->m10, (double)R->m11, defect_3a),
+      defect_3e = ksl_product_sum((double)R->m20, (double)R->m21, defect_3c), defect_3 = -defect_3e;
   const double defect_4a = (double)R->m00 * (double)R->m02,
-      defect_4b = (double)R->m10 * (double)R->m12, defect_4c = defect_4a + defect_4b,
-      defect_4d = (double)R->m20 * (double)R->m22, defect_4e = defect_4c + defect_4d,
-      defect_4 = -defect_4e;
+      defect_4c = ksl_product_sum((double)R->m10, (double)R->m12, defect_4a),
+      defect_4e = ksl_product_sum((double)R->m20, (double)R->m22, defect_4c), defect_4 = -defect_4e;
   const double defect_5a = (double)R->m01 * (double)R->m02,
-      defect_5b = (double)R->m11 * (double)R->m12, defect_5c = defect_5a + defect_5b,
-      defect_5d = (double)R->m21 * (double)R->m22, defect_5e = defect_5c + defect_5d,
-      defect_5 = -defect_5e;
+      defect_5c = ksl_product_sum((double)R->m11, (double)R->m12, defect_5a),
+      defect_5e = ksl_product_sum((double)R->m21, (double)R->m22, defect_5c), defect_5 = -defect_5e;
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -25147,8 +25310,8 @@ static inline float ksl_mat3x3f_ldl_accurate(const ksl_mat3x3f_t *A, ksl_mat3x3f
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
-  const double y1a = (double)L->m10 * (double)b->x, y1 = (double)b->y - y1a;
-  const double y2a = (double)L->m20 * (double)b->x, y2b = (double)b->z - y2a,
+  const double y1 = ksl_product_sum(-(double)L->m10, (double)b->x, (double)b->y);
+  const double y2b = ksl_product_sum(-(double)L->m20, (double)b->x, (double)b->z),
       y2c = KSL_MUL((double)L->m21, y1), y2 = y2b - y2c;
   const double z0 = (double)b->x / (double)L->m00;
   const double z1 = y1 / (double)L->m11;
@@ -25189,17 +25352,17 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double part2a = u2 / own2, part2 = 0.0 < (double)A->m22 ? part2a : (double)A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
   const double less_0 = (double)A->m00 * 0.9999970197677612;
-  const double less_1 = (double)A->m11 * 0.9999970197677612;
-  const double less_2 = (double)A->m22 * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->m10 / less_divisor0;
   const double less_l0_1 = (double)A->m20 / less_divisor0;
-  const double less_u1_0a = KSL_MUL((double)A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const double less_u1_0a = KSL_MUL((double)A->m10, less_l0_0),
+      less_u1_0 = ksl_product_sum((double)A->m11, 0.9999970197677612, -less_u1_0a);
   const double less_u1_1a = KSL_MUL((double)A->m20, less_l0_0),
       less_u1_1 = (double)A->m21 - less_u1_1a;
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
-  const double less_u2a = KSL_MUL((double)A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
+  const double less_u2a = KSL_MUL((double)A->m20, less_l0_1),
+      less_u2b = ksl_product_sum((double)A->m22, 0.9999970197677612, -less_u2a),
       less_u2c = KSL_MUL(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
   const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
       regular = 0.0 < less_0 ? regular_c : 0.0;
@@ -25368,17 +25531,17 @@ static inline float ksl_mat6x6f_ldl_accurate(const ksl_mat6x6f_t *A, ksl_mat6x6f
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
-  const double y1a = (double)L->at[0][1] * (double)b->m0, y1 = (double)b->m1 - y1a;
-  const double y2a = (double)L->at[0][2] * (double)b->m0, y2b = (double)b->m2 - y2a,
+  const double y1 = ksl_product_sum(-(double)L->at[0][1], (double)b->m0, (double)b->m1);
+  const double y2b = ksl_product_sum(-(double)L->at[0][2], (double)b->m0, (double)b->m2),
       y2c = KSL_MUL((double)L->at[1][2], y1), y2 = y2b - y2c;
-  const double y3a = (double)L->at[0][3] * (double)b->m0, y3b = (double)b->m3 - y3a,
+  const double y3b = ksl_product_sum(-(double)L->at[0][3], (double)b->m0, (double)b->m3),
       y3c = KSL_MUL((double)L->at[1][3], y1), y3d = y3b - y3c,
       y3e = KSL_MUL((double)L->at[2][3], y2), y3 = y3d - y3e;
-  const double y4a = (double)L->at[0][4] * (double)b->m0, y4b = (double)b->m4 - y4a,
+  const double y4b = ksl_product_sum(-(double)L->at[0][4], (double)b->m0, (double)b->m4),
       y4c = KSL_MUL((double)L->at[1][4], y1), y4d = y4b - y4c,
       y4e = KSL_MUL((double)L->at[2][4], y2), y4f = y4d - y4e,
       y4g = KSL_MUL((double)L->at[3][4], y3), y4 = y4f - y4g;
-  const double y5a = (double)L->at[0][5] * (double)b->m0, y5b = (double)b->m5 - y5a,
+  const double y5b = ksl_product_sum(-(double)L->at[0][5], (double)b->m0, (double)b->m5),
       y5c = KSL_MUL((double)L->at[1][5], y1), y5d = y5b - y5c,
       y5e = KSL_MUL((double)L->at[2][5], y2), y5f = y5d - y5e,
       y5g = KSL_MUL((double)L->at[3][5], y3), y5h = y5f - y5g,
@@ -25495,11 +25658,6 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double part5a = u5 / own5, part5 = 0.0 < (double)A->at[5][5] ? part5a : (double)A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
   const double less_0 = (double)A->at[0][0] * 0.9999970197677612;
-  const double less_1 = (double)A->at[1][1] * 0.9999970197677612;
-  const double less_2 = (double)A->at[2][2] * 0.9999970197677612;
-  const double less_3 = (double)A->at[3][3] * 0.9999970197677612;
-  const double less_4 = (double)A->at[4][4] * 0.9999970197677612;
-  const double less_5 = (double)A->at[5][5] * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->at[0][1] / less_divisor0;
   const double less_l0_1 = (double)A->at[0][2] / less_divisor0;
@@ -25507,7 +25665,7 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l0_3 = (double)A->at[0][4] / less_divisor0;
   const double less_l0_4 = (double)A->at[0][5] / less_divisor0;
   const double less_u1_0a = KSL_MUL((double)A->at[0][1], less_l0_0),
-      less_u1_0 = less_1 - less_u1_0a;
+      less_u1_0 = ksl_product_sum((double)A->at[1][1], 0.9999970197677612, -less_u1_0a);
   const double less_u1_1a = KSL_MUL((double)A->at[0][2], less_l0_0),
       less_u1_1 = (double)A->at[1][2] - less_u1_1a;
   const double less_u1_2a = KSL_MUL((double)A->at[0][3], less_l0_0),
@@ -25522,8 +25680,8 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l1_2 = less_u1_3 / less_divisor1;
   const double less_l1_3 = less_u1_4 / less_divisor1;
   const double less_u2_0a = KSL_MUL((double)A->at[0][2], less_l0_1),
-      less_u2_0b = less_2 - less_u2_0a, less_u2_0c = KSL_MUL(less_u1_1, less_l1_0),
-      less_u2_0 = less_u2_0b - less_u2_0c;
+      less_u2_0b = ksl_product_sum((double)A->at[2][2], 0.9999970197677612, -less_u2_0a),
+      less_u2_0c = KSL_MUL(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
   const double less_u2_1a = KSL_MUL((double)A->at[0][3], less_l0_1),
       less_u2_1b = (double)A->at[2][3] - less_u2_1a, less_u2_1c = KSL_MUL(less_u1_2, less_l1_0),
       less_u2_1 = less_u2_1b - less_u2_1c;
@@ -25538,9 +25696,9 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l2_1 = less_u2_2 / less_divisor2;
   const double less_l2_2 = less_u2_3 / less_divisor2;
   const double less_u3_0a = KSL_MUL((double)A->at[0][3], less_l0_2),
-      less_u3_0b = less_3 - less_u3_0a, less_u3_0c = KSL_MUL(less_u1_2, less_l1_1),
-      less_u3_0d = less_u3_0b - less_u3_0c, less_u3_0e = KSL_MUL(less_u2_1, less_l2_0),
-      less_u3_0 = less_u3_0d - less_u3_0e;
+      less_u3_0b = ksl_product_sum((double)A->at[3][3], 0.9999970197677612, -less_u3_0a),
+      less_u3_0c = KSL_MUL(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
+      less_u3_0e = KSL_MUL(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
   const double less_u3_1a = KSL_MUL((double)A->at[0][4], less_l0_2),
       less_u3_1b = (double)A->at[3][4] - less_u3_1a, less_u3_1c = KSL_MUL(less_u1_3, less_l1_1),
       less_u3_1d = less_u3_1b - less_u3_1c, less_u3_1e = KSL_MUL(less_u2_2, less_l2_0),
@@ -25553,10 +25711,10 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l3_0 = less_u3_1 / less_divisor3;
   const double less_l3_1 = less_u3_2 / less_divisor3;
   const double less_u4_0a = KSL_MUL((double)A->at[0][4], less_l0_3),
-      less_u4_0b = less_4 - less_u4_0a, less_u4_0c = KSL_MUL(less_u1_3, less_l1_2),
-      less_u4_0d = less_u4_0b - less_u4_0c, less_u4_0e = KSL_MUL(less_u2_2, less_l2_1),
-      less_u4_0f = less_u4_0d - less_u4_0e, less_u4_0g = KSL_MUL(less_u3_1, less_l3_0),
-      less_u4_0 = less_u4_0f - less_u4_0g;
+      less_u4_0b = ksl_product_sum((double)A->at[4][4], 0.9999970197677612, -less_u4_0a),
+      less_u4_0c = KSL_MUL(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
+      less_u4_0e = KSL_MUL(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
+      less_u4_0g = KSL_MUL(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
   const double less_u4_1a = KSL_MUL((double)A->at[0][5], less_l0_3),
       less_u4_1b = (double)A->at[4][5] - less_u4_1a, less_u4_1c = KSL_MUL(less_u1_4, less_l1_2),
       less_u4_1d = less_u4_1b - less_u4_1c, less_u4_1e = KSL_MUL(less_u2_3, less_l2_1),
@@ -25564,7 +25722,8 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
       less_u4_1 = less_u4_1f - less_u4_1g;
   const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0;
   const double less_l4 = less_u4_1 / less_divisor4;
-  const double less_u5a = KSL_MUL((double)A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
+  const double less_u5a = KSL_MUL((double)A->at[0][5], less_l0_4),
+      less_u5b = ksl_product_sum((double)A->at[5][5], 0.9999970197677612, -less_u5a),
       less_u5c = KSL_MUL(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
       less_u5e = KSL_MUL(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
       less_u5g = KSL_MUL(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,
@@ -27182,30 +27341,42 @@ static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3
      expanded formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const ksl_mat3x3f_t *R,
     ksl_inertiaf_t *Jo) {
-  const double RI_0a = (double)Ji->Ixx * (double)R->m00, RI_0b = (double)Ji->Ixy * (double)R->m01,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)Ji->Izx * (double)R->m02, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)Ji->Iyy * (double)R->m01, RI_1b = (double)Ji->Ixy * (double)R->m00,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)Ji->Iyz * (double)R->m02, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)Ji->Izz * (double)R->m02, RI_2b = (double)Ji->Iyz * (double)R->m01,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)Ji->Izx * (double)R->m00, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)Ji->Ixx * (double)R->m10, RI_3b = (double)Ji->Ixy * (double)R->m11,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)Ji->Izx * (double)R->m12, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)Ji->Iyy * (double)R->m11, RI_4b = (double)Ji->Ixy * (double)R->m10,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)Ji->Iyz * (double)R->m12, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)Ji->Izz * (double)R->m12, RI_5b = (double)Ji->Iyz * (double)R->m11,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)Ji->Izx * (double)R->m10, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)Ji->Ixx * (double)R->m20, RI_6b = (double)Ji->Ixy * (double)R->m21,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)Ji->Izx * (double)R->m22, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)Ji->Iyy * (double)R->m21, RI_7b = (double)Ji->Ixy * (double)R->m20,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)Ji->Iyz * (double)R->m22, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)Ji->Izz * (double)R->m22, RI_8b = (double)Ji->Iyz * (double)R->m21,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)Ji->Izx * (double)R->m20, RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = (double)Ji->mt.x * (double)R->m00, Jo_1b = (double)Ji->mt.y * (double)R->m01,
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = (double)Ji->mt.z * (double)R->m02, Jo_1 = Jo_1c + Jo_1d;
-  const double Jo_2a = (double)Ji->mt.x * (double)R->m10, Jo_2b = (double)Ji->mt.y * (double)R->m11,
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = (double)Ji->mt.z * (double)R->m12, Jo_2 = Jo_2c + Jo_2d;
-  const double Jo_3a = (double)Ji->mt.x * (double)R->m20, Jo_3b = (double)Ji->mt.y * (double)R->m21,
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = (double)Ji->mt.z * (double)R->m22, Jo_3 = Jo_3c + Jo_3d;
+  const double RI_0a = (double)Ji->Ixx * (double)R->m00,
+      RI_0c = ksl_product_sum((double)Ji->Ixy, (double)R->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Ji->Izx, (double)R->m02, RI_0c);
+  const double RI_1a = (double)Ji->Iyy * (double)R->m01,
+      RI_1c = ksl_product_sum((double)Ji->Ixy, (double)R->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)R->m02, RI_1c);
+  const double RI_2a = (double)Ji->Izz * (double)R->m02,
+      RI_2c = ksl_product_sum((double)Ji->Iyz, (double)R->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)R->m00, RI_2c);
+  const double RI_3a = (double)Ji->Ixx * (double)R->m10,
+      RI_3c = ksl_product_sum((double)Ji->Ixy, (double)R->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)R->m12, RI_3c);
+  const double RI_4a = (double)Ji->Iyy * (double)R->m11,
+      RI_4c = ksl_product_sum((double)Ji->Ixy, (double)R->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)R->m12, RI_4c);
+  const double RI_5a = (double)Ji->Izz * (double)R->m12,
+      RI_5c = ksl_product_sum((double)Ji->Iyz, (double)R->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)R->m10, RI_5c);
+  const double RI_6a = (double)Ji->Ixx * (double)R->m20,
+      RI_6c = ksl_product_sum((double)Ji->Ixy, (double)R->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)R->m22, RI_6c);
+  const double RI_7a = (double)Ji->Iyy * (double)R->m21,
+      RI_7c = ksl_product_sum((double)Ji->Ixy, (double)R->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)R->m22, RI_7c);
+  const double RI_8a = (double)Ji->Izz * (double)R->m22,
+      RI_8c = ksl_product_sum((double)Ji->Iyz, (double)R->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)R->m20, RI_8c);
+  const double Jo_1a = (double)Ji->mt.x * (double)R->m00,
+      Jo_1c = ksl_product_sum((double)Ji->mt.y, (double)R->m01, Jo_1a),
+      Jo_1 = ksl_product_sum((double)Ji->mt.z, (double)R->m02, Jo_1c);
+  const double Jo_2a = (double)Ji->mt.x * (double)R->m10,
+      Jo_2c = ksl_product_sum((double)Ji->mt.y, (double)R->m11, Jo_2a),
+      Jo_2 = ksl_product_sum((double)Ji->mt.z, (double)R->m12, Jo_2c);
+  const double Jo_3a = (double)Ji->mt.x * (double)R->m20,
+      Jo_3c = ksl_product_sum((double)Ji->mt.y, (double)R->m21, Jo_3a),
+      Jo_3 = ksl_product_sum((double)Ji->mt.z, (double)R->m22, Jo_3c);
   const double Jo_4a = KSL_MUL((double)R->m00, RI_0), Jo_4b = KSL_MUL((double)R->m01, RI_1),
       Jo_4c = Jo_4a + Jo_4b, Jo_4d = KSL_MUL((double)R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
   const double Jo_5a = KSL_MUL((double)R->m10, RI_3), Jo_5b = KSL_MUL((double)R->m11, RI_4),
@@ -27239,44 +27410,41 @@ static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const
      expanded formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R) {
   const double RI_0a = (double)self->Ixx * (double)R->m00,
-      RI_0b = (double)self->Ixy * (double)R->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)self->Izx * (double)R->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)self->Ixy, (double)R->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)self->Izx, (double)R->m02, RI_0c);
   const double RI_1a = (double)self->Iyy * (double)R->m01,
-      RI_1b = (double)self->Ixy * (double)R->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)self->Iyz * (double)R->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)self->Ixy, (double)R->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)R->m02, RI_1c);
   const double RI_2a = (double)self->Izz * (double)R->m02,
-      RI_2b = (double)self->Iyz * (double)R->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)self->Izx * (double)R->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)self->Iyz, (double)R->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)R->m00, RI_2c);
   const double RI_3a = (double)self->Ixx * (double)R->m10,
-      RI_3b = (double)self->Ixy * (double)R->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)self->Izx * (double)R->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)self->Ixy, (double)R->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)R->m12, RI_3c);
   const double RI_4a = (double)self->Iyy * (double)R->m11,
-      RI_4b = (double)self->Ixy * (double)R->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)self->Iyz * (double)R->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)self->Ixy, (double)R->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)R->m12, RI_4c);
   const double RI_5a = (double)self->Izz * (double)R->m12,
-      RI_5b = (double)self->Iyz * (double)R->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)self->Izx * (double)R->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)self->Iyz, (double)R->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)R->m10, RI_5c);
   const double RI_6a = (double)self->Ixx * (double)R->m20,
-      RI_6b = (double)self->Ixy * (double)R->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)self->Izx * (double)R->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)self->Ixy, (double)R->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)R->m22, RI_6c);
   const double RI_7a = (double)self->Iyy * (double)R->m21,
-      RI_7b = (double)self->Ixy * (double)R->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)self->Iyz * (double)R->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)self->Ixy, (double)R->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)R->m22, RI_7c);
   const double RI_8a = (double)self->Izz * (double)R->m22,
-      RI_8b = (double)self->Iyz * (double)R->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)self->Izx * (double)R->m20, RI_8 = RI_8c + RI_8d;
+      RI_8c = ksl_product_sum((double)self->Iyz, (double)R->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)R->m20, RI_8c);
   const double self_1_new_a = (double)self->mt.x * (double)R->m00,
-      self_1_new_b = (double)self->mt.y * (double)R->m01,
-      self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = (double)self->mt.z * (double)R->m02, self_1_new = self_1_new_c + self_1_new_d;
+      self_1_new_c = ksl_product_sum((double)self->mt.y, (double)R->m01, self_1_new_a),
+      self_1_new = ksl_product_sum((double)self->mt.z, (double)R->m02, self_1_new_c);
   const double self_2_new_a = (double)self->mt.x * (double)R->m10,
-      self_2_new_b = (double)self->mt.y * (double)R->m11,
-      self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = (double)self->mt.z * (double)R->m12, self_2_new = self_2_new_c + self_2_new_d;
+      self_2_new_c = ksl_product_sum((double)self->mt.y, (double)R->m11, self_2_new_a),
+      self_2_new = ksl_product_sum((double)self->mt.z, (double)R->m12, self_2_new_c);
   const double self_3_new_a = (double)self->mt.x * (double)R->m20,
-      self_3_new_b = (double)self->mt.y * (double)R->m21,
-      self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = (double)self->mt.z * (double)R->m22, self_3_new = self_3_new_c + self_3_new_d;
+      self_3_new_c = ksl_product_sum((double)self->mt.y, (double)R->m21, self_3_new_a),
+      self_3_new = ksl_product_sum((double)self->mt.z, (double)R->m22, self_3_new_c);
   const double self_4_new_a = KSL_MUL((double)R->m00, RI_0),
       self_4_new_b = KSL_MUL((double)R->m01, RI_1), self_4_new_c = self_4_new_a + self_4_new_b,
       self_4_new_d = KSL_MUL((double)R->m02, RI_2), self_4_new = self_4_new_c + self_4_new_d;
@@ -27314,9 +27482,9 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
     const ksl_vec3f_t *t, ksl_inertiaf_t *Jo) {
-  const double Jo_1a = (double)Ji->m * (double)t->x, Jo_1 = Jo_1a + (double)Ji->mt.x;
-  const double Jo_2a = (double)Ji->m * (double)t->y, Jo_2 = Jo_2a + (double)Ji->mt.y;
-  const double Jo_3a = (double)Ji->m * (double)t->z, Jo_3 = Jo_3a + (double)Ji->mt.z;
+  const double Jo_1 = ksl_product_sum((double)Ji->m, (double)t->x, (double)Ji->mt.x);
+  const double Jo_2 = ksl_product_sum((double)Ji->m, (double)t->y, (double)Ji->mt.y);
+  const double Jo_3 = ksl_product_sum((double)Ji->m, (double)t->z, (double)Ji->mt.z);
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -27343,12 +27511,9 @@ static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
    Error <= u |result| + (m: 0, mt: 1/16, I: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const ksl_vec3f_t *t) {
-  const double self_1_new_a = (double)self->m * (double)t->x,
-      self_1_new = self_1_new_a + (double)self->mt.x;
-  const double self_2_new_a = (double)self->m * (double)t->y,
-      self_2_new = self_2_new_a + (double)self->mt.y;
-  const double self_3_new_a = (double)self->m * (double)t->z,
-      self_3_new = self_3_new_a + (double)self->mt.z;
+  const double self_1_new = ksl_product_sum((double)self->m, (double)t->x, (double)self->mt.x);
+  const double self_2_new = ksl_product_sum((double)self->m, (double)t->y, (double)self->mt.y);
+  const double self_3_new = ksl_product_sum((double)self->m, (double)t->z, (double)self->mt.z);
   self->mt.x = (float)self_1_new;
   self->mt.y = (float)self_2_new;
   self->mt.z = (float)self_3_new;
@@ -27362,33 +27527,45 @@ static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const k
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
     const ksl_SE3f_t *D, ksl_inertiaf_t *Jo) {
-  const double RI_0a = (double)Ji->Ixx * (double)D->m00, RI_0b = (double)Ji->Ixy * (double)D->m01,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)Ji->Izx * (double)D->m02, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)Ji->Iyy * (double)D->m01, RI_1b = (double)Ji->Ixy * (double)D->m00,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)Ji->Iyz * (double)D->m02, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)Ji->Izz * (double)D->m02, RI_2b = (double)Ji->Iyz * (double)D->m01,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)Ji->Izx * (double)D->m00, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)Ji->Ixx * (double)D->m10, RI_3b = (double)Ji->Ixy * (double)D->m11,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)Ji->Izx * (double)D->m12, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)Ji->Iyy * (double)D->m11, RI_4b = (double)Ji->Ixy * (double)D->m10,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)Ji->Iyz * (double)D->m12, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)Ji->Izz * (double)D->m12, RI_5b = (double)Ji->Iyz * (double)D->m11,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)Ji->Izx * (double)D->m10, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)Ji->Ixx * (double)D->m20, RI_6b = (double)Ji->Ixy * (double)D->m21,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)Ji->Izx * (double)D->m22, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)Ji->Iyy * (double)D->m21, RI_7b = (double)Ji->Ixy * (double)D->m20,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)Ji->Iyz * (double)D->m22, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)Ji->Izz * (double)D->m22, RI_8b = (double)Ji->Iyz * (double)D->m21,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)Ji->Izx * (double)D->m20, RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = (double)Ji->m * (double)D->m03, Jo_1b = (double)Ji->mt.x * (double)D->m00,
-      Jo_1c = (double)Ji->mt.y * (double)D->m01, Jo_1d = Jo_1b + Jo_1c,
-      Jo_1e = (double)Ji->mt.z * (double)D->m02, Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
-  const double Jo_2a = (double)Ji->m * (double)D->m13, Jo_2b = (double)Ji->mt.x * (double)D->m10,
-      Jo_2c = (double)Ji->mt.y * (double)D->m11, Jo_2d = Jo_2b + Jo_2c,
-      Jo_2e = (double)Ji->mt.z * (double)D->m12, Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
-  const double Jo_3a = (double)Ji->m * (double)D->m23, Jo_3b = (double)Ji->mt.x * (double)D->m20,
-      Jo_3c = (double)Ji->mt.y * (double)D->m21, Jo_3d = Jo_3b + Jo_3c,
-      Jo_3e = (double)Ji->mt.z * (double)D->m22, Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const double RI_0a = (double)Ji->Ixx * (double)D->m00,
+      RI_0c = ksl_product_sum((double)Ji->Ixy, (double)D->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Ji->Izx, (double)D->m02, RI_0c);
+  const double RI_1a = (double)Ji->Iyy * (double)D->m01,
+      RI_1c = ksl_product_sum((double)Ji->Ixy, (double)D->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)D->m02, RI_1c);
+  const double RI_2a = (double)Ji->Izz * (double)D->m02,
+      RI_2c = ksl_product_sum((double)Ji->Iyz, (double)D->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)D->m00, RI_2c);
+  const double RI_3a = (double)Ji->Ixx * (double)D->m10,
+      RI_3c = ksl_product_sum((double)Ji->Ixy, (double)D->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)D->m12, RI_3c);
+  const double RI_4a = (double)Ji->Iyy * (double)D->m11,
+      RI_4c = ksl_product_sum((double)Ji->Ixy, (double)D->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)D->m12, RI_4c);
+  const double RI_5a = (double)Ji->Izz * (double)D->m12,
+      RI_5c = ksl_product_sum((double)Ji->Iyz, (double)D->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)D->m10, RI_5c);
+  const double RI_6a = (double)Ji->Ixx * (double)D->m20,
+      RI_6c = ksl_product_sum((double)Ji->Ixy, (double)D->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)D->m22, RI_6c);
+  const double RI_7a = (double)Ji->Iyy * (double)D->m21,
+      RI_7c = ksl_product_sum((double)Ji->Ixy, (double)D->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)D->m22, RI_7c);
+  const double RI_8a = (double)Ji->Izz * (double)D->m22,
+      RI_8c = ksl_product_sum((double)Ji->Iyz, (double)D->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)D->m20, RI_8c);
+  const double Jo_1b = (double)Ji->mt.x * (double)D->m00,
+      Jo_1d = ksl_product_sum((double)Ji->mt.y, (double)D->m01, Jo_1b),
+      Jo_1f = ksl_product_sum((double)Ji->mt.z, (double)D->m02, Jo_1d),
+      Jo_1 = ksl_product_sum((double)Ji->m, (double)D->m03, Jo_1f);
+  const double Jo_2b = (double)Ji->mt.x * (double)D->m10,
+      Jo_2d = ksl_product_sum((double)Ji->mt.y, (double)D->m11, Jo_2b),
+      Jo_2f = ksl_product_sum((double)Ji->mt.z, (double)D->m12, Jo_2d),
+      Jo_2 = ksl_product_sum((double)Ji->m, (double)D->m13, Jo_2f);
+  const double Jo_3b = (double)Ji->mt.x * (double)D->m20,
+      Jo_3d = ksl_product_sum((double)Ji->mt.y, (double)D->m21, Jo_3b),
+      Jo_3f = ksl_product_sum((double)Ji->mt.z, (double)D->m22, Jo_3d),
+      Jo_3 = ksl_product_sum((double)Ji->m, (double)D->m23, Jo_3f);
   const double Jo_4a = KSL_MUL((double)D->m00, RI_0), Jo_4b = KSL_MUL((double)D->m01, RI_1),
       Jo_4c = Jo_4a + Jo_4b, Jo_4d = KSL_MUL((double)D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
   const double Jo_5a = KSL_MUL((double)D->m10, RI_3), Jo_5b = KSL_MUL((double)D->m11, RI_4),
@@ -27422,50 +27599,44 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const ksl_SE3f_t *D) {
   const double RI_0a = (double)self->Ixx * (double)D->m00,
-      RI_0b = (double)self->Ixy * (double)D->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)self->Izx * (double)D->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)self->Ixy, (double)D->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)self->Izx, (double)D->m02, RI_0c);
   const double RI_1a = (double)self->Iyy * (double)D->m01,
-      RI_1b = (double)self->Ixy * (double)D->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)self->Iyz * (double)D->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)self->Ixy, (double)D->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)D->m02, RI_1c);
   const double RI_2a = (double)self->Izz * (double)D->m02,
-      RI_2b = (double)self->Iyz * (double)D->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)self->Izx * (double)D->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)self->Iyz, (double)D->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)D->m00, RI_2c);
   const double RI_3a = (double)self->Ixx * (double)D->m10,
-      RI_3b = (double)self->Ixy * (double)D->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)self->Izx * (double)D->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)self->Ixy, (double)D->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)D->m12, RI_3c);
   const double RI_4a = (double)self->Iyy * (double)D->m11,
-      RI_4b = (double)self->Ixy * (double)D->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)self->Iyz * (double)D->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)self->Ixy, (double)D->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)D->m12, RI_4c);
   const double RI_5a = (double)self->Izz * (double)D->m12,
-      RI_5b = (double)self->Iyz * (double)D->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)self->Izx * (double)D->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)self->Iyz, (double)D->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)D->m10, RI_5c);
   const double RI_6a = (double)self->Ixx * (double)D->m20,
-      RI_6b = (double)self->Ixy * (double)D->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)self->Izx * (double)D->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)self->Ixy, (double)D->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)D->m22, RI_6c);
   const double RI_7a = (double)self->Iyy * (double)D->m21,
-      RI_7b = (double)self->Ixy * (double)D->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)self->Iyz * (double)D->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)self->Ixy, (double)D->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)D->m22, RI_7c);
   const double RI_8a = (double)self->Izz * (double)D->m22,
-      RI_8b = (double)self->Iyz * (double)D->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)self->Izx * (double)D->m20, RI_8 = RI_8c + RI_8d;
-  const double self_1_new_a = (double)self->m * (double)D->m03,
-      self_1_new_b = (double)self->mt.x * (double)D->m00,
-      self_1_new_c = (double)self->mt.y * (double)D->m01,
-      self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = (double)self->mt.z * (double)D->m02,
-      self_1_new_f = self_1_new_d + self_1_new_e, self_1_new = self_1_new_a + self_1_new_f;
-  const double self_2_new_a = (double)self->m * (double)D->m13,
-      self_2_new_b = (double)self->mt.x * (double)D->m10,
-      self_2_new_c = (double)self->mt.y * (double)D->m11,
-      self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = (double)self->mt.z * (double)D->m12,
-      self_2_new_f = self_2_new_d + self_2_new_e, self_2_new = self_2_new_a + self_2_new_f;
-  const double self_3_new_a = (double)self->m * (double)D->m23,
-      self_3_new_b = (double)self->mt.x * (double)D->m20,
-      self_3_new_c = (double)self->mt.y * (double)D->m21,
-      self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = (double)self->mt.z * (double)D->m22,
-      self_3_new_f = self_3_new_d + self_3_new_e, self_3_new = self_3_new_a + self_3_new_f;
+      RI_8c = ksl_product_sum((double)self->Iyz, (double)D->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)D->m20, RI_8c);
+  const double self_1_new_b = (double)self->mt.x * (double)D->m00,
+      self_1_new_d = ksl_product_sum((double)self->mt.y, (double)D->m01, self_1_new_b),
+      self_1_new_f = ksl_product_sum((double)self->mt.z, (double)D->m02, self_1_new_d),
+      self_1_new = ksl_product_sum((double)self->m, (double)D->m03, self_1_new_f);
+  const double self_2_new_b = (double)self->mt.x * (double)D->m10,
+      self_2_new_d = ksl_product_sum((double)self->mt.y, (double)D->m11, self_2_new_b),
+      self_2_new_f = ksl_product_sum((double)self->mt.z, (double)D->m12, self_2_new_d),
+      self_2_new = ksl_product_sum((double)self->m, (double)D->m13, self_2_new_f);
+  const double self_3_new_b = (double)self->mt.x * (double)D->m20,
+      self_3_new_d = ksl_product_sum((double)self->mt.y, (double)D->m21, self_3_new_b),
+      self_3_new_f = ksl_product_sum((double)self->mt.z, (double)D->m22, self_3_new_d),
+      self_3_new = ksl_product_sum((double)self->m, (double)D->m23, self_3_new_f);
   const double self_4_new_a = KSL_MUL((double)D->m00, RI_0),
       self_4_new_b = KSL_MUL((double)D->m01, RI_1), self_4_new_c = self_4_new_a + self_4_new_b,
       self_4_new_d = KSL_MUL((double)D->m02, RI_2), self_4_new = self_4_new_c + self_4_new_d;
@@ -27508,16 +27679,16 @@ static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const double m = (double)Ji->m + (double)Jj->m;
   const double c_0a = (double)t_jc->x * (double)D_ij->m00,
-      c_0b = (double)t_jc->y * (double)D_ij->m01, c_0c = c_0a + c_0b,
-      c_0d = (double)t_jc->z * (double)D_ij->m02, c_0e = c_0c + c_0d,
+      c_0c = ksl_product_sum((double)t_jc->y, (double)D_ij->m01, c_0a),
+      c_0e = ksl_product_sum((double)t_jc->z, (double)D_ij->m02, c_0c),
       c_0 = c_0e + (double)D_ij->m03;
   const double c_1a = (double)t_jc->x * (double)D_ij->m10,
-      c_1b = (double)t_jc->y * (double)D_ij->m11, c_1c = c_1a + c_1b,
-      c_1d = (double)t_jc->z * (double)D_ij->m12, c_1e = c_1c + c_1d,
+      c_1c = ksl_product_sum((double)t_jc->y, (double)D_ij->m11, c_1a),
+      c_1e = ksl_product_sum((double)t_jc->z, (double)D_ij->m12, c_1c),
       c_1 = c_1e + (double)D_ij->m13;
   const double c_2a = (double)t_jc->x * (double)D_ij->m20,
-      c_2b = (double)t_jc->y * (double)D_ij->m21, c_2c = c_2a + c_2b,
-      c_2d = (double)t_jc->z * (double)D_ij->m22, c_2e = c_2c + c_2d,
+      c_2c = ksl_product_sum((double)t_jc->y, (double)D_ij->m21, c_2a),
+      c_2e = ksl_product_sum((double)t_jc->z, (double)D_ij->m22, c_2c),
       c_2 = c_2e + (double)D_ij->m23;
   const double d_0 = c_0 - (double)t_ic->x;
   const double d_1 = c_1 - (double)t_ic->y;
@@ -27531,32 +27702,32 @@ static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec
   const double squares_1 = KSL_MUL(d_1, p_1);
   const double squares_2 = KSL_MUL(d_2, p_2);
   const double RI_0a = (double)Jj->Ixx * (double)D_ij->m00,
-      RI_0b = (double)Jj->Ixy * (double)D_ij->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)Jj->Izx * (double)D_ij->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m02, RI_0c);
   const double RI_1a = (double)Jj->Iyy * (double)D_ij->m01,
-      RI_1b = (double)Jj->Ixy * (double)D_ij->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)Jj->Iyz * (double)D_ij->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m02, RI_1c);
   const double RI_2a = (double)Jj->Izz * (double)D_ij->m02,
-      RI_2b = (double)Jj->Iyz * (double)D_ij->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)Jj->Izx * (double)D_ij->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m00, RI_2c);
   const double RI_3a = (double)Jj->Ixx * (double)D_ij->m10,
-      RI_3b = (double)Jj->Ixy * (double)D_ij->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)Jj->Izx * (double)D_ij->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m12, RI_3c);
   const double RI_4a = (double)Jj->Iyy * (double)D_ij->m11,
-      RI_4b = (double)Jj->Ixy * (double)D_ij->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)Jj->Iyz * (double)D_ij->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m12, RI_4c);
   const double RI_5a = (double)Jj->Izz * (double)D_ij->m12,
-      RI_5b = (double)Jj->Iyz * (double)D_ij->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)Jj->Izx * (double)D_ij->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m10, RI_5c);
   const double RI_6a = (double)Jj->Ixx * (double)D_ij->m20,
-      RI_6b = (double)Jj->Ixy * (double)D_ij->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)Jj->Izx * (double)D_ij->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m22, RI_6c);
   const double RI_7a = (double)Jj->Iyy * (double)D_ij->m21,
-      RI_7b = (double)Jj->Ixy * (double)D_ij->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)Jj->Iyz * (double)D_ij->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m22, RI_7c);
   const double RI_8a = (double)Jj->Izz * (double)D_ij->m22,
-      RI_8b = (double)Jj->Iyz * (double)D_ij->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)Jj->Izx * (double)D_ij->m20, RI_8 = RI_8c + RI_8d;
+      RI_8c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m20, RI_8c);
   const double Ji_1_new_a = KSL_MUL((double)Jj->m, c_0), Ji_1_new = (double)Ji->mt.x + Ji_1_new_a;
   const double Ji_2_new_a = KSL_MUL((double)Jj->m, c_1), Ji_2_new = (double)Ji->mt.y + Ji_2_new_a;
   const double Ji_3_new_a = KSL_MUL((double)Jj->m, c_2), Ji_3_new = (double)Ji->mt.z + Ji_3_new_a;
@@ -29517,24 +29688,30 @@ static inline void ksl_spatial_inertiaf_about_com_accurate(const ksl_spatial_ine
      formula; barring over- and underflow. */
 static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, ksl_coscrewf_t *co) {
-  const double co_0a = (double)B->m * (double)s->m0, co_0b = (double)B->h.z * (double)s->m4,
-      co_0c = (double)B->h.y * (double)s->m5, co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = (double)B->m * (double)s->m1, co_1b = (double)B->h.x * (double)s->m5,
-      co_1c = (double)B->h.z * (double)s->m3, co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = (double)B->m * (double)s->m2, co_2b = (double)B->h.y * (double)s->m3,
-      co_2c = (double)B->h.x * (double)s->m4, co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = (double)B->h.y * (double)s->m2, co_3b = (double)B->h.z * (double)s->m1,
-      co_3c = co_3a - co_3b, co_3d = (double)B->xx * (double)s->m3,
-      co_3e = (double)B->xy * (double)s->m4, co_3f = co_3d + co_3e,
-      co_3g = (double)B->xz * (double)s->m5, co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = (double)B->h.z * (double)s->m0, co_4b = (double)B->h.x * (double)s->m2,
-      co_4c = co_4a - co_4b, co_4d = (double)B->yy * (double)s->m4,
-      co_4e = (double)B->xy * (double)s->m3, co_4f = co_4d + co_4e,
-      co_4g = (double)B->yz * (double)s->m5, co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = (double)B->h.x * (double)s->m1, co_5b = (double)B->h.y * (double)s->m0,
-      co_5c = co_5a - co_5b, co_5d = (double)B->zz * (double)s->m5,
-      co_5e = (double)B->xz * (double)s->m3, co_5f = co_5d + co_5e,
-      co_5g = (double)B->yz * (double)s->m4, co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0b = (double)B->h.z * (double)s->m4,
+      co_0d = ksl_product_sum(-(double)B->h.y, (double)s->m5, co_0b),
+      co_0 = ksl_product_sum((double)B->m, (double)s->m0, co_0d);
+  const double co_1b = (double)B->h.x * (double)s->m5,
+      co_1d = ksl_product_sum(-(double)B->h.z, (double)s->m3, co_1b),
+      co_1 = ksl_product_sum((double)B->m, (double)s->m1, co_1d);
+  const double co_2b = (double)B->h.y * (double)s->m3,
+      co_2d = ksl_product_sum(-(double)B->h.x, (double)s->m4, co_2b),
+      co_2 = ksl_product_sum((double)B->m, (double)s->m2, co_2d);
+  const double co_3a = (double)B->h.y * (double)s->m2,
+      co_3c = ksl_product_sum(-(double)B->h.z, (double)s->m1, co_3a),
+      co_3d = (double)B->xx * (double)s->m3,
+      co_3f = ksl_product_sum((double)B->xy, (double)s->m4, co_3d),
+      co_3h = ksl_product_sum((double)B->xz, (double)s->m5, co_3f), co_3 = co_3c + co_3h;
+  const double co_4a = (double)B->h.z * (double)s->m0,
+      co_4c = ksl_product_sum(-(double)B->h.x, (double)s->m2, co_4a),
+      co_4d = (double)B->yy * (double)s->m4,
+      co_4f = ksl_product_sum((double)B->xy, (double)s->m3, co_4d),
+      co_4h = ksl_product_sum((double)B->yz, (double)s->m5, co_4f), co_4 = co_4c + co_4h;
+  const double co_5a = (double)B->h.x * (double)s->m1,
+      co_5c = ksl_product_sum(-(double)B->h.y, (double)s->m0, co_5a),
+      co_5d = (double)B->zz * (double)s->m5,
+      co_5f = ksl_product_sum((double)B->xz, (double)s->m3, co_5d),
+      co_5h = ksl_product_sum((double)B->yz, (double)s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -29552,23 +29729,26 @@ static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
 static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
   const double across_0a = (double)B->h.z * (double)s->m4,
-      across_0b = (double)B->h.y * (double)s->m5, across_0 = across_0a - across_0b;
+      across_0 = ksl_product_sum(-(double)B->h.y, (double)s->m5, across_0a);
   const double across_1a = (double)B->h.x * (double)s->m5,
-      across_1b = (double)B->h.z * (double)s->m3, across_1 = across_1a - across_1b;
+      across_1 = ksl_product_sum(-(double)B->h.z, (double)s->m3, across_1a);
   const double across_2a = (double)B->h.y * (double)s->m3,
-      across_2b = (double)B->h.x * (double)s->m4, across_2 = across_2a - across_2b;
+      across_2 = ksl_product_sum(-(double)B->h.x, (double)s->m4, across_2a);
   const double twice_across_0 = KSL_MUL(2.0, across_0);
   const double twice_across_1 = KSL_MUL(2.0, across_1);
   const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = (double)B->m * (double)s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = (double)B->m * (double)s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = (double)B->m * (double)s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = (double)B->xx * (double)s->m3, L_0b = (double)B->xy * (double)s->m4,
-      L_0c = L_0a + L_0b, L_0d = (double)B->xz * (double)s->m5, L_0 = L_0c + L_0d;
-  const double L_1a = (double)B->yy * (double)s->m4, L_1b = (double)B->xy * (double)s->m3,
-      L_1c = L_1a + L_1b, L_1d = (double)B->yz * (double)s->m5, L_1 = L_1c + L_1d;
-  const double L_2a = (double)B->zz * (double)s->m5, L_2b = (double)B->xz * (double)s->m3,
-      L_2c = L_2a + L_2b, L_2d = (double)B->yz * (double)s->m4, L_2 = L_2c + L_2d;
+  const double p_0 = ksl_product_sum((double)B->m, (double)s->m0, twice_across_0);
+  const double p_1 = ksl_product_sum((double)B->m, (double)s->m1, twice_across_1);
+  const double p_2 = ksl_product_sum((double)B->m, (double)s->m2, twice_across_2);
+  const double L_0a = (double)B->xx * (double)s->m3,
+      L_0c = ksl_product_sum((double)B->xy, (double)s->m4, L_0a),
+      L_0 = ksl_product_sum((double)B->xz, (double)s->m5, L_0c);
+  const double L_1a = (double)B->yy * (double)s->m4,
+      L_1c = ksl_product_sum((double)B->xy, (double)s->m3, L_1a),
+      L_1 = ksl_product_sum((double)B->yz, (double)s->m5, L_1c);
+  const double L_2a = (double)B->zz * (double)s->m5,
+      L_2c = ksl_product_sum((double)B->xz, (double)s->m3, L_2a),
+      L_2 = ksl_product_sum((double)B->yz, (double)s->m4, L_2c);
   const double twice_a = KSL_MUL((double)s->m0, p_0), twice_b = KSL_MUL((double)s->m1, p_1),
       twice_c = twice_a + twice_b, twice_d = KSL_MUL((double)s->m2, p_2),
       twice_e = twice_c + twice_d, twice_f = KSL_MUL((double)s->m3, L_0),
@@ -29640,33 +29820,42 @@ static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const double RI_0a = (double)D->m00 * (double)B->xx, RI_0b = (double)D->m01 * (double)B->xy,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)D->m02 * (double)B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)D->m00 * (double)B->xy, RI_1b = (double)D->m01 * (double)B->yy,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)D->m02 * (double)B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)D->m00 * (double)B->xz, RI_2b = (double)D->m01 * (double)B->yz,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)D->m02 * (double)B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)D->m10 * (double)B->xx, RI_3b = (double)D->m11 * (double)B->xy,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)D->m12 * (double)B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)D->m10 * (double)B->xy, RI_4b = (double)D->m11 * (double)B->yy,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)D->m12 * (double)B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)D->m10 * (double)B->xz, RI_5b = (double)D->m11 * (double)B->yz,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)D->m12 * (double)B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)D->m20 * (double)B->xx, RI_6b = (double)D->m21 * (double)B->xy,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)D->m22 * (double)B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)D->m20 * (double)B->xy, RI_7b = (double)D->m21 * (double)B->yy,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)D->m22 * (double)B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)D->m20 * (double)B->xz, RI_8b = (double)D->m21 * (double)B->yz,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)D->m22 * (double)B->zz, RI_8 = RI_8c + RI_8d;
+  const double RI_0a = (double)D->m00 * (double)B->xx,
+      RI_0c = ksl_product_sum((double)D->m01, (double)B->xy, RI_0a),
+      RI_0 = ksl_product_sum((double)D->m02, (double)B->xz, RI_0c);
+  const double RI_1a = (double)D->m00 * (double)B->xy,
+      RI_1c = ksl_product_sum((double)D->m01, (double)B->yy, RI_1a),
+      RI_1 = ksl_product_sum((double)D->m02, (double)B->yz, RI_1c);
+  const double RI_2a = (double)D->m00 * (double)B->xz,
+      RI_2c = ksl_product_sum((double)D->m01, (double)B->yz, RI_2a),
+      RI_2 = ksl_product_sum((double)D->m02, (double)B->zz, RI_2c);
+  const double RI_3a = (double)D->m10 * (double)B->xx,
+      RI_3c = ksl_product_sum((double)D->m11, (double)B->xy, RI_3a),
+      RI_3 = ksl_product_sum((double)D->m12, (double)B->xz, RI_3c);
+  const double RI_4a = (double)D->m10 * (double)B->xy,
+      RI_4c = ksl_product_sum((double)D->m11, (double)B->yy, RI_4a),
+      RI_4 = ksl_product_sum((double)D->m12, (double)B->yz, RI_4c);
+  const double RI_5a = (double)D->m10 * (double)B->xz,
+      RI_5c = ksl_product_sum((double)D->m11, (double)B->yz, RI_5a),
+      RI_5 = ksl_product_sum((double)D->m12, (double)B->zz, RI_5c);
+  const double RI_6a = (double)D->m20 * (double)B->xx,
+      RI_6c = ksl_product_sum((double)D->m21, (double)B->xy, RI_6a),
+      RI_6 = ksl_product_sum((double)D->m22, (double)B->xz, RI_6c);
+  const double RI_7a = (double)D->m20 * (double)B->xy,
+      RI_7c = ksl_product_sum((double)D->m21, (double)B->yy, RI_7a),
+      RI_7 = ksl_product_sum((double)D->m22, (double)B->yz, RI_7c);
+  const double RI_8a = (double)D->m20 * (double)B->xz,
+      RI_8c = ksl_product_sum((double)D->m21, (double)B->yz, RI_8a),
+      RI_8 = ksl_product_sum((double)D->m22, (double)B->zz, RI_8c);
   const double turned_1a = (double)D->m00 * (double)B->h.x,
-      turned_1b = (double)D->m01 * (double)B->h.y, turned_1c = turned_1a + turned_1b,
-      turned_1d = (double)D->m02 * (double)B->h.z, turned_1 = turned_1c + turned_1d;
+      turned_1c = ksl_product_sum((double)D->m01, (double)B->h.y, turned_1a),
+      turned_1 = ksl_product_sum((double)D->m02, (double)B->h.z, turned_1c);
   const double turned_2a = (double)D->m10 * (double)B->h.x,
-      turned_2b = (double)D->m11 * (double)B->h.y, turned_2c = turned_2a + turned_2b,
-      turned_2d = (double)D->m12 * (double)B->h.z, turned_2 = turned_2c + turned_2d;
+      turned_2c = ksl_product_sum((double)D->m11, (double)B->h.y, turned_2a),
+      turned_2 = ksl_product_sum((double)D->m12, (double)B->h.z, turned_2c);
   const double turned_3a = (double)D->m20 * (double)B->h.x,
-      turned_3b = (double)D->m21 * (double)B->h.y, turned_3c = turned_3a + turned_3b,
-      turned_3d = (double)D->m22 * (double)B->h.z, turned_3 = turned_3c + turned_3d;
+      turned_3c = ksl_product_sum((double)D->m21, (double)B->h.y, turned_3a),
+      turned_3 = ksl_product_sum((double)D->m22, (double)B->h.z, turned_3c);
   const double turned_4a = KSL_MUL((double)D->m00, RI_0), turned_4b = KSL_MUL((double)D->m01, RI_1),
       turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL((double)D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
@@ -29737,8 +29926,9 @@ static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_inertiaf_t *B) {
-  const double trace_a = 0.5 * (double)B->xx, trace_b = 0.5 * (double)B->yy,
-      trace_c = trace_a + trace_b, trace_d = 0.5 * (double)B->zz, trace = trace_c + trace_d;
+  const double trace_a = 0.5 * (double)B->xx,
+      trace_c = ksl_product_sum(0.5, (double)B->yy, trace_a),
+      trace = ksl_product_sum(0.5, (double)B->zz, trace_c);
   const double sigma_0 = trace - (double)B->xx;
   const double sigma_1 = trace - (double)B->yy;
   const double sigma_2 = trace - (double)B->zz;

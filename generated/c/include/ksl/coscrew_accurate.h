@@ -2682,12 +2682,12 @@ static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float
      over- and underflow. */
 static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->m0, y_0_new = y_0_new_a + (double)y->m0;
-  const double y_1_new_a = (double)a * (double)x->m1, y_1_new = y_1_new_a + (double)y->m1;
-  const double y_2_new_a = (double)a * (double)x->m2, y_2_new = y_2_new_a + (double)y->m2;
-  const double y_3_new_a = (double)a * (double)x->m3, y_3_new = y_3_new_a + (double)y->m3;
-  const double y_4_new_a = (double)a * (double)x->m4, y_4_new = y_4_new_a + (double)y->m4;
-  const double y_5_new_a = (double)a * (double)x->m5, y_5_new = y_5_new_a + (double)y->m5;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
+  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
+  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2994,12 +2994,12 @@ static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->y * (double)ci->m2, co_3b = (double)t->z * (double)ci->m1,
-      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->z * (double)ci->m0, co_4b = (double)t->x * (double)ci->m2,
-      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->x * (double)ci->m1, co_5b = (double)t->y * (double)ci->m0,
-      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const double co_3a = (double)t->y * (double)ci->m2,
+      co_3c = ksl_product_sum(-(double)t->z, (double)ci->m1, co_3a), co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->z * (double)ci->m0,
+      co_4c = ksl_product_sum(-(double)t->x, (double)ci->m2, co_4a), co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->x * (double)ci->m1,
+      co_5c = ksl_product_sum(-(double)t->y, (double)ci->m0, co_5a), co_5 = co_5c + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -3018,12 +3018,12 @@ static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
-      co_3c = co_3a - co_3b, co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
-      co_4c = co_4a - co_4b, co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
-      co_5c = co_5a - co_5b, co_5 = co_5c + (double)ci->m5;
+  const double co_3a = (double)t->z * (double)ci->m1,
+      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c + (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2,
+      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c + (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0,
+      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -3045,12 +3045,12 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
   const double co_0 = -(double)ci->m0;
   const double co_1 = -(double)ci->m1;
   const double co_2 = -(double)ci->m2;
-  const double co_3a = (double)t->z * (double)ci->m1, co_3b = (double)t->y * (double)ci->m2,
-      co_3c = co_3a - co_3b, co_3 = co_3c - (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2, co_4b = (double)t->z * (double)ci->m0,
-      co_4c = co_4a - co_4b, co_4 = co_4c - (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0, co_5b = (double)t->x * (double)ci->m1,
-      co_5c = co_5a - co_5b, co_5 = co_5c - (double)ci->m5;
+  const double co_3a = (double)t->z * (double)ci->m1,
+      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c - (double)ci->m3;
+  const double co_4a = (double)t->x * (double)ci->m2,
+      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c - (double)ci->m4;
+  const double co_5a = (double)t->y * (double)ci->m0,
+      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c - (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3066,18 +3066,24 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
      over- and underflow. */
 static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m10 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m20 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
+      co_3 = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m10 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4 = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m20 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3093,18 +3099,24 @@ static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m10 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)R->m01 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)R->m02 * (double)ci->m0, co_2b = (double)R->m12 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m10 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m20 * (double)ci->m5, co_3 = co_3c + co_3d;
-  const double co_4a = (double)R->m01 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m21 * (double)ci->m5, co_4 = co_4c + co_4d;
-  const double co_5a = (double)R->m02 * (double)ci->m3, co_5b = (double)R->m12 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5 = co_5c + co_5d;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m10, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)R->m20, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m01 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)R->m21, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m02 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m12, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m10, (double)ci->m4, co_3a),
+      co_3 = ksl_product_sum((double)R->m20, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m01 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4 = ksl_product_sum((double)R->m21, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m02 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m12, (double)ci->m4, co_5a),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3120,24 +3132,24 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
      over- and underflow. */
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0b = (double)R->m01 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)R->m02 * (double)ci->m2, co_0e = co_0c + co_0d,
-      co_0 = -co_0e;
-  const double co_1a = (double)R->m10 * (double)ci->m0, co_1b = (double)R->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)R->m12 * (double)ci->m2, co_1e = co_1c + co_1d,
-      co_1 = -co_1e;
-  const double co_2a = (double)R->m20 * (double)ci->m0, co_2b = (double)R->m21 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)R->m22 * (double)ci->m2, co_2e = co_2c + co_2d,
-      co_2 = -co_2e;
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3b = (double)R->m01 * (double)ci->m4,
-      co_3c = co_3a + co_3b, co_3d = (double)R->m02 * (double)ci->m5, co_3e = co_3c + co_3d,
-      co_3 = -co_3e;
-  const double co_4a = (double)R->m10 * (double)ci->m3, co_4b = (double)R->m11 * (double)ci->m4,
-      co_4c = co_4a + co_4b, co_4d = (double)R->m12 * (double)ci->m5, co_4e = co_4c + co_4d,
-      co_4 = -co_4e;
-  const double co_5a = (double)R->m20 * (double)ci->m3, co_5b = (double)R->m21 * (double)ci->m4,
-      co_5c = co_5a + co_5b, co_5d = (double)R->m22 * (double)ci->m5, co_5e = co_5c + co_5d,
-      co_5 = -co_5e;
+  const double co_0a = (double)R->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
+      co_0e = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c), co_0 = -co_0e;
+  const double co_1a = (double)R->m10 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
+      co_1e = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c), co_1 = -co_1e;
+  const double co_2a = (double)R->m20 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
+      co_2e = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c), co_2 = -co_2e;
+  const double co_3a = (double)R->m00 * (double)ci->m3,
+      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
+      co_3e = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c), co_3 = -co_3e;
+  const double co_4a = (double)R->m10 * (double)ci->m3,
+      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
+      co_4e = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c), co_4 = -co_4e;
+  const double co_5a = (double)R->m20 * (double)ci->m3,
+      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
+      co_5e = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c), co_5 = -co_5e;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3153,18 +3165,24 @@ static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)ci->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)ci->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)ci->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)ci->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)ci->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)ci->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3186,18 +3204,21 @@ static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_co
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_3a = (double)D->m23 * (double)ci->m1, w_3b = (double)D->m13 * (double)ci->m2,
-      w_3c = w_3a - w_3b, w_3 = w_3c + (double)ci->m3;
-  const double w_4a = (double)D->m03 * (double)ci->m2, w_4b = (double)D->m23 * (double)ci->m0,
-      w_4c = w_4a - w_4b, w_4 = w_4c + (double)ci->m4;
-  const double w_5a = (double)D->m13 * (double)ci->m0, w_5b = (double)D->m03 * (double)ci->m1,
-      w_5c = w_5a - w_5b, w_5 = w_5c + (double)ci->m5;
-  const double co_0a = (double)D->m00 * (double)ci->m0, co_0b = (double)D->m10 * (double)ci->m1,
-      co_0c = co_0a + co_0b, co_0d = (double)D->m20 * (double)ci->m2, co_0 = co_0c + co_0d;
-  const double co_1a = (double)D->m01 * (double)ci->m0, co_1b = (double)D->m11 * (double)ci->m1,
-      co_1c = co_1a + co_1b, co_1d = (double)D->m21 * (double)ci->m2, co_1 = co_1c + co_1d;
-  const double co_2a = (double)D->m02 * (double)ci->m0, co_2b = (double)D->m12 * (double)ci->m1,
-      co_2c = co_2a + co_2b, co_2d = (double)D->m22 * (double)ci->m2, co_2 = co_2c + co_2d;
+  const double w_3a = (double)D->m23 * (double)ci->m1,
+      w_3c = ksl_product_sum(-(double)D->m13, (double)ci->m2, w_3a), w_3 = w_3c + (double)ci->m3;
+  const double w_4a = (double)D->m03 * (double)ci->m2,
+      w_4c = ksl_product_sum(-(double)D->m23, (double)ci->m0, w_4a), w_4 = w_4c + (double)ci->m4;
+  const double w_5a = (double)D->m13 * (double)ci->m0,
+      w_5c = ksl_product_sum(-(double)D->m03, (double)ci->m1, w_5a), w_5 = w_5c + (double)ci->m5;
+  const double co_0a = (double)D->m00 * (double)ci->m0,
+      co_0c = ksl_product_sum((double)D->m10, (double)ci->m1, co_0a),
+      co_0 = ksl_product_sum((double)D->m20, (double)ci->m2, co_0c);
+  const double co_1a = (double)D->m01 * (double)ci->m0,
+      co_1c = ksl_product_sum((double)D->m11, (double)ci->m1, co_1a),
+      co_1 = ksl_product_sum((double)D->m21, (double)ci->m2, co_1c);
+  const double co_2a = (double)D->m02 * (double)ci->m0,
+      co_2c = ksl_product_sum((double)D->m12, (double)ci->m1, co_2a),
+      co_2 = ksl_product_sum((double)D->m22, (double)ci->m2, co_2c);
   const double co_3a = KSL_MUL((double)D->m00, w_3), co_3b = KSL_MUL((double)D->m10, w_4),
       co_3c = co_3a + co_3b, co_3d = KSL_MUL((double)D->m20, w_5), co_3 = co_3c + co_3d;
   const double co_4a = KSL_MUL((double)D->m01, w_3), co_4b = KSL_MUL((double)D->m11, w_4),
@@ -3219,18 +3240,24 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0, w_0b = (double)D->m01 * (double)ci->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)ci->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)ci->m0, w_1b = (double)D->m11 * (double)ci->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)ci->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)ci->m0, w_2b = (double)D->m21 * (double)ci->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)ci->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)ci->m3, w_3b = (double)D->m01 * (double)ci->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)ci->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)ci->m3, w_4b = (double)D->m11 * (double)ci->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)ci->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)ci->m3, w_5b = (double)D->m21 * (double)ci->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)ci->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)ci->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
+      w_0e = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = (double)D->m10 * (double)ci->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
+      w_1e = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = (double)D->m20 * (double)ci->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
+      w_2e = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = (double)D->m00 * (double)ci->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
+      w_3e = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = (double)D->m10 * (double)ci->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
+      w_4e = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = (double)D->m20 * (double)ci->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
+      w_5e = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c), w_5 = -w_5e;
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3251,12 +3278,12 @@ static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m20 * (double)D->m13, co_3b = (double)D->m10 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m00 * (double)D->m23, co_4b = (double)D->m20 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m10 * (double)D->m03, co_5b = (double)D->m00 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m20 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m10, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m00 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m10 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, co_5a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -3274,12 +3301,12 @@ static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m21 * (double)D->m13, co_3b = (double)D->m11 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m01 * (double)D->m23, co_4b = (double)D->m21 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m11 * (double)D->m03, co_5b = (double)D->m01 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m21 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m11, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m01 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m11 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, co_5a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -3297,12 +3324,12 @@ static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m22 * (double)D->m13, co_3b = (double)D->m12 * (double)D->m23,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m02 * (double)D->m23, co_4b = (double)D->m22 * (double)D->m03,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m12 * (double)D->m03, co_5b = (double)D->m02 * (double)D->m13,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m22 * (double)D->m13,
+      co_3 = ksl_product_sum(-(double)D->m12, (double)D->m23, co_3a);
+  const double co_4a = (double)D->m02 * (double)D->m23,
+      co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, co_4a);
+  const double co_5a = (double)D->m12 * (double)D->m03,
+      co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, co_5a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -3323,12 +3350,12 @@ static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m00;
   const double co_1 = -(double)D->m10;
   const double co_2 = -(double)D->m20;
-  const double co_3a = (double)D->m10 * (double)D->m23, co_3b = (double)D->m20 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m20 * (double)D->m03, co_4b = (double)D->m00 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m00 * (double)D->m13, co_5b = (double)D->m10 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m10 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m20 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m00 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3346,12 +3373,12 @@ static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m01;
   const double co_1 = -(double)D->m11;
   const double co_2 = -(double)D->m21;
-  const double co_3a = (double)D->m11 * (double)D->m23, co_3b = (double)D->m21 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m21 * (double)D->m03, co_4b = (double)D->m01 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m01 * (double)D->m13, co_5b = (double)D->m11 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m11 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m21 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m01 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3369,12 +3396,12 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
   const double co_0 = -(double)D->m02;
   const double co_1 = -(double)D->m12;
   const double co_2 = -(double)D->m22;
-  const double co_3a = (double)D->m12 * (double)D->m23, co_3b = (double)D->m22 * (double)D->m13,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)D->m22 * (double)D->m03, co_4b = (double)D->m02 * (double)D->m23,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)D->m02 * (double)D->m13, co_5b = (double)D->m12 * (double)D->m03,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)D->m12 * (double)D->m23,
+      co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, co_3a);
+  const double co_4a = (double)D->m22 * (double)D->m03,
+      co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, co_4a);
+  const double co_5a = (double)D->m02 * (double)D->m13,
+      co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, co_5a);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3389,24 +3416,24 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_30a = (double)D->m20 * (double)D->m13, M_30b = (double)D->m10 * (double)D->m23,
-      M_30 = M_30a - M_30b;
-  const double M_31a = (double)D->m21 * (double)D->m13, M_31b = (double)D->m11 * (double)D->m23,
-      M_31 = M_31a - M_31b;
-  const double M_32a = (double)D->m22 * (double)D->m13, M_32b = (double)D->m12 * (double)D->m23,
-      M_32 = M_32a - M_32b;
-  const double M_40a = (double)D->m00 * (double)D->m23, M_40b = (double)D->m20 * (double)D->m03,
-      M_40 = M_40a - M_40b;
-  const double M_41a = (double)D->m01 * (double)D->m23, M_41b = (double)D->m21 * (double)D->m03,
-      M_41 = M_41a - M_41b;
-  const double M_42a = (double)D->m02 * (double)D->m23, M_42b = (double)D->m22 * (double)D->m03,
-      M_42 = M_42a - M_42b;
-  const double M_50a = (double)D->m10 * (double)D->m03, M_50b = (double)D->m00 * (double)D->m13,
-      M_50 = M_50a - M_50b;
-  const double M_51a = (double)D->m11 * (double)D->m03, M_51b = (double)D->m01 * (double)D->m13,
-      M_51 = M_51a - M_51b;
-  const double M_52a = (double)D->m12 * (double)D->m03, M_52b = (double)D->m02 * (double)D->m13,
-      M_52 = M_52a - M_52b;
+  const double M_30a = (double)D->m20 * (double)D->m13,
+      M_30 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_30a);
+  const double M_31a = (double)D->m21 * (double)D->m13,
+      M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_31a);
+  const double M_32a = (double)D->m22 * (double)D->m13,
+      M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_32a);
+  const double M_40a = (double)D->m00 * (double)D->m23,
+      M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_40a);
+  const double M_41a = (double)D->m01 * (double)D->m23,
+      M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_41a);
+  const double M_42a = (double)D->m02 * (double)D->m23,
+      M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_42a);
+  const double M_50a = (double)D->m10 * (double)D->m03,
+      M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_50a);
+  const double M_51a = (double)D->m11 * (double)D->m03,
+      M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_51a);
+  const double M_52a = (double)D->m12 * (double)D->m03,
+      M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_52a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3460,12 +3487,12 @@ static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, const float x[6]) {
-  const double power_a = (double)c->m0 * (double)x[3], power_b = (double)c->m1 * (double)x[4],
-      power_c = power_a + power_b, power_d = (double)c->m2 * (double)x[5],
-      power_e = power_c + power_d, power_f = (double)c->m3 * (double)x[0],
-      power_g = (double)c->m4 * (double)x[1], power_h = power_f + power_g,
-      power_i = (double)c->m5 * (double)x[2], power_j = power_h + power_i,
-      power = power_e + power_j;
+  const double power_a = (double)c->m0 * (double)x[3],
+      power_c = ksl_product_sum((double)c->m1, (double)x[4], power_a),
+      power_e = ksl_product_sum((double)c->m2, (double)x[5], power_c),
+      power_f = (double)c->m3 * (double)x[0],
+      power_h = ksl_product_sum((double)c->m4, (double)x[1], power_f),
+      power_j = ksl_product_sum((double)c->m5, (double)x[2], power_h), power = power_e + power_j;
   return (float)power;
 }
 
@@ -3476,21 +3503,24 @@ static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, co
      formula; barring over- and underflow. */
 static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)s->m4 * (double)c->m2, co_0b = (double)s->m5 * (double)c->m1,
-      co_0 = co_0a - co_0b;
-  const double co_1a = (double)s->m5 * (double)c->m0, co_1b = (double)s->m3 * (double)c->m2,
-      co_1 = co_1a - co_1b;
-  const double co_2a = (double)s->m3 * (double)c->m1, co_2b = (double)s->m4 * (double)c->m0,
-      co_2 = co_2a - co_2b;
-  const double co_3a = (double)s->m1 * (double)c->m2, co_3b = (double)s->m2 * (double)c->m1,
-      co_3c = co_3a - co_3b, co_3d = (double)s->m4 * (double)c->m5,
-      co_3e = (double)s->m5 * (double)c->m4, co_3f = co_3d - co_3e, co_3 = co_3c + co_3f;
-  const double co_4a = (double)s->m2 * (double)c->m0, co_4b = (double)s->m0 * (double)c->m2,
-      co_4c = co_4a - co_4b, co_4d = (double)s->m5 * (double)c->m3,
-      co_4e = (double)s->m3 * (double)c->m5, co_4f = co_4d - co_4e, co_4 = co_4c + co_4f;
-  const double co_5a = (double)s->m0 * (double)c->m1, co_5b = (double)s->m1 * (double)c->m0,
-      co_5c = co_5a - co_5b, co_5d = (double)s->m3 * (double)c->m4,
-      co_5e = (double)s->m4 * (double)c->m3, co_5f = co_5d - co_5e, co_5 = co_5c + co_5f;
+  const double co_0a = (double)s->m4 * (double)c->m2,
+      co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, co_0a);
+  const double co_1a = (double)s->m5 * (double)c->m0,
+      co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, co_1a);
+  const double co_2a = (double)s->m3 * (double)c->m1,
+      co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, co_2a);
+  const double co_3a = (double)s->m1 * (double)c->m2,
+      co_3c = ksl_product_sum(-(double)s->m2, (double)c->m1, co_3a),
+      co_3d = (double)s->m4 * (double)c->m5,
+      co_3f = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3d), co_3 = co_3c + co_3f;
+  const double co_4a = (double)s->m2 * (double)c->m0,
+      co_4c = ksl_product_sum(-(double)s->m0, (double)c->m2, co_4a),
+      co_4d = (double)s->m5 * (double)c->m3,
+      co_4f = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4d), co_4 = co_4c + co_4f;
+  const double co_5a = (double)s->m0 * (double)c->m1,
+      co_5c = ksl_product_sum(-(double)s->m1, (double)c->m0, co_5a),
+      co_5d = (double)s->m3 * (double)c->m4,
+      co_5f = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5d), co_5 = co_5c + co_5f;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3506,12 +3536,12 @@ static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscr
      formula; barring over- and underflow. */
 static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)s->m4 * (double)c->m5, co_3b = (double)s->m5 * (double)c->m4,
-      co_3 = co_3a - co_3b;
-  const double co_4a = (double)s->m5 * (double)c->m3, co_4b = (double)s->m3 * (double)c->m5,
-      co_4 = co_4a - co_4b;
-  const double co_5a = (double)s->m3 * (double)c->m4, co_5b = (double)s->m4 * (double)c->m3,
-      co_5 = co_5a - co_5b;
+  const double co_3a = (double)s->m4 * (double)c->m5,
+      co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3a);
+  const double co_4a = (double)s->m5 * (double)c->m3,
+      co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4a);
+  const double co_5a = (double)s->m3 * (double)c->m4,
+      co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5a);
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3527,18 +3557,21 @@ static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m01 * (double)c->m1, w_0b = (double)D->m02 * (double)c->m2,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m11 * (double)c->m1, w_1b = (double)D->m12 * (double)c->m2,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m21 * (double)c->m1, w_2b = (double)D->m22 * (double)c->m2,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m01 * (double)c->m1,
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
+  const double w_1a = (double)D->m11 * (double)c->m1,
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
+  const double w_2a = (double)D->m21 * (double)c->m1,
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3560,18 +3593,21 @@ static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m02 * (double)c->m2,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m12 * (double)c->m2,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m22 * (double)c->m2,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3593,18 +3629,21 @@ static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0 = w_0a + w_0b;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1 = w_1a + w_1b;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2 = w_2a + w_2b;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)c->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)c->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)c->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0 = ksl_product_sum((double)D->m01, (double)c->m1, w_0a);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1 = ksl_product_sum((double)D->m11, (double)c->m1, w_1a);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2 = ksl_product_sum((double)D->m21, (double)c->m1, w_2a);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3626,18 +3665,21 @@ static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m01 * (double)c->m4, w_3b = (double)D->m02 * (double)c->m5,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m11 * (double)c->m4, w_4b = (double)D->m12 * (double)c->m5,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m21 * (double)c->m4, w_5b = (double)D->m22 * (double)c->m5,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m01 * (double)c->m4,
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
+  const double w_4a = (double)D->m11 * (double)c->m4,
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
+  const double w_5a = (double)D->m21 * (double)c->m4,
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3659,18 +3701,21 @@ static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m02 * (double)c->m5,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m12 * (double)c->m5,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m22 * (double)c->m5,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -3692,18 +3737,21 @@ static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0, w_0b = (double)D->m01 * (double)c->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)c->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)c->m0, w_1b = (double)D->m11 * (double)c->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)c->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)c->m0, w_2b = (double)D->m21 * (double)c->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)c->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)c->m3, w_3b = (double)D->m01 * (double)c->m4,
-      w_3 = w_3a + w_3b;
-  const double w_4a = (double)D->m10 * (double)c->m3, w_4b = (double)D->m11 * (double)c->m4,
-      w_4 = w_4a + w_4b;
-  const double w_5a = (double)D->m20 * (double)c->m3, w_5b = (double)D->m21 * (double)c->m4,
-      w_5 = w_5a + w_5b;
+  const double w_0a = (double)D->m00 * (double)c->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)c->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)c->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)c->m3,
+      w_3 = ksl_product_sum((double)D->m01, (double)c->m4, w_3a);
+  const double w_4a = (double)D->m10 * (double)c->m3,
+      w_4 = ksl_product_sum((double)D->m11, (double)c->m4, w_4a);
+  const double w_5a = (double)D->m20 * (double)c->m3,
+      w_5 = ksl_product_sum((double)D->m21, (double)c->m4, w_5a);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),

@@ -1027,26 +1027,26 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
-  const double defect_0a = (double)self->m00 * (double)self->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = (double)self->m10 * (double)self->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = (double)self->m20 * (double)self->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = (double)self->m01 * (double)self->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = (double)self->m11 * (double)self->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = (double)self->m21 * (double)self->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = (double)self->m02 * (double)self->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = (double)self->m12 * (double)self->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = (double)self->m22 * (double)self->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_0b = ksl_product_sum(-(double)self->m00, (double)self->m00, 1.0),
+      defect_0d = ksl_product_sum(-(double)self->m10, (double)self->m10, defect_0b),
+      defect_0 = ksl_product_sum(-(double)self->m20, (double)self->m20, defect_0d);
+  const double defect_1b = ksl_product_sum(-(double)self->m01, (double)self->m01, 1.0),
+      defect_1d = ksl_product_sum(-(double)self->m11, (double)self->m11, defect_1b),
+      defect_1 = ksl_product_sum(-(double)self->m21, (double)self->m21, defect_1d);
+  const double defect_2b = ksl_product_sum(-(double)self->m02, (double)self->m02, 1.0),
+      defect_2d = ksl_product_sum(-(double)self->m12, (double)self->m12, defect_2b),
+      defect_2 = ksl_product_sum(-(double)self->m22, (double)self->m22, defect_2d);
   const double defect_3a = (double)self->m00 * (double)self->m01,
-      defect_3b = (double)self->m10 * (double)self->m11, defect_3c = defect_3a + defect_3b,
-      defect_3d = (double)self->m20 * (double)self->m21, defect_3e = defect_3c + defect_3d,
+      defect_3c = ksl_product_sum((double)self->m10, (double)self->m11, defect_3a),
+      defect_3e = ksl_product_sum((double)self->m20, (double)self->m21, defect_3c),
       defect_3 = -defect_3e;
   const double defect_4a = (double)self->m00 * (double)self->m02,
-      defect_4b = (double)self->m10 * (double)self->m12, defect_4c = defect_4a + defect_4b,
-      defect_4d = (double)self->m20 * (double)self->m22, defect_4e = defect_4c + defect_4d,
+      defect_4c = ksl_product_sum((double)self->m10, (double)self->m12, defect_4a),
+      defect_4e = ksl_product_sum((double)self->m20, (double)self->m22, defect_4c),
       defect_4 = -defect_4e;
   const double defect_5a = (double)self->m01 * (double)self->m02,
-      defect_5b = (double)self->m11 * (double)self->m12, defect_5c = defect_5a + defect_5b,
-      defect_5d = (double)self->m21 * (double)self->m22, defect_5e = defect_5c + defect_5d,
+      defect_5c = ksl_product_sum((double)self->m11, (double)self->m12, defect_5a),
+      defect_5e = ksl_product_sum((double)self->m21, (double)self->m22, defect_5c),
       defect_5 = -defect_5e;
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
@@ -1125,27 +1125,24 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double defect_0a = (double)R->m00 * (double)R->m00, defect_0b = 1.0 - defect_0a,
-      defect_0c = (double)R->m10 * (double)R->m10, defect_0d = defect_0b - defect_0c,
-      defect_0e = (double)R->m20 * (double)R->m20, defect_0 = defect_0d - defect_0e;
-  const double defect_1a = (double)R->m01 * (double)R->m01, defect_1b = 1.0 - defect_1a,
-      defect_1c = (double)R->m11 * (double)R->m11, defect_1d = defect_1b - defect_1c,
-      defect_1e = (double)R->m21 * (double)R->m21, defect_1 = defect_1d - defect_1e;
-  const double defect_2a = (double)R->m02 * (double)R->m02, defect_2b = 1.0 - defect_2a,
-      defect_2c = (double)R->m12 * (double)R->m12, defect_2d = defect_2b - defect_2c,
-      defect_2e = (double)R->m22 * (double)R->m22, defect_2 = defect_2d - defect_2e;
+  const double defect_0b = ksl_product_sum(-(double)R->m00, (double)R->m00, 1.0),
+      defect_0d = ksl_product_sum(-(double)R->m10, (double)R->m10, defect_0b),
+      defect_0 = ksl_product_sum(-(double)R->m20, (double)R->m20, defect_0d);
+  const double defect_1b = ksl_product_sum(-(double)R->m01, (double)R->m01, 1.0),
+      defect_1d = ksl_product_sum(-(double)R->m11, (double)R->m11, defect_1b),
+      defect_1 = ksl_product_sum(-(double)R->m21, (double)R->m21, defect_1d);
+  const double defect_2b = ksl_product_sum(-(double)R->m02, (double)R->m02, 1.0),
+      defect_2d = ksl_product_sum(-(double)R->m12, (double)R->m12, defect_2b),
+      defect_2 = ksl_product_sum(-(double)R->m22, (double)R->m22, defect_2d);
   const double defect_3a = (double)R->m00 * (double)R->m01,
-      defect_3b = (double)R->m10 * (double)R->m11, defect_3c = defect_3a + defect_3b,
-      defect_3d = (double)R->m20 * (double)R->m21, defect_3e = defect_3c + defect_3d,
-      defect_3 = -defect_3e;
+      defect_3c = ksl_product_sum((double)R->m10, (double)R->m11, defect_3a),
+      defect_3e = ksl_product_sum((double)R->m20, (double)R->m21, defect_3c), defect_3 = -defect_3e;
   const double defect_4a = (double)R->m00 * (double)R->m02,
-      defect_4b = (double)R->m10 * (double)R->m12, defect_4c = defect_4a + defect_4b,
-      defect_4d = (double)R->m20 * (double)R->m22, defect_4e = defect_4c + defect_4d,
-      defect_4 = -defect_4e;
+      defect_4c = ksl_product_sum((double)R->m10, (double)R->m12, defect_4a),
+      defect_4e = ksl_product_sum((double)R->m20, (double)R->m22, defect_4c), defect_4 = -defect_4e;
   const double defect_5a = (double)R->m01 * (double)R->m02,
-      defect_5b = (double)R->m11 * (double)R->m12, defect_5c = defect_5a + defect_5b,
-      defect_5d = (double)R->m21 * (double)R->m22, defect_5e = defect_5c + defect_5d,
-      defect_5 = -defect_5e;
+      defect_5c = ksl_product_sum((double)R->m11, (double)R->m12, defect_5a),
+      defect_5e = ksl_product_sum((double)R->m21, (double)R->m22, defect_5c), defect_5 = -defect_5e;
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);

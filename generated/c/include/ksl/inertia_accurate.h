@@ -1483,30 +1483,42 @@ static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3
      expanded formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const ksl_mat3x3f_t *R,
     ksl_inertiaf_t *Jo) {
-  const double RI_0a = (double)Ji->Ixx * (double)R->m00, RI_0b = (double)Ji->Ixy * (double)R->m01,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)Ji->Izx * (double)R->m02, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)Ji->Iyy * (double)R->m01, RI_1b = (double)Ji->Ixy * (double)R->m00,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)Ji->Iyz * (double)R->m02, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)Ji->Izz * (double)R->m02, RI_2b = (double)Ji->Iyz * (double)R->m01,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)Ji->Izx * (double)R->m00, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)Ji->Ixx * (double)R->m10, RI_3b = (double)Ji->Ixy * (double)R->m11,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)Ji->Izx * (double)R->m12, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)Ji->Iyy * (double)R->m11, RI_4b = (double)Ji->Ixy * (double)R->m10,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)Ji->Iyz * (double)R->m12, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)Ji->Izz * (double)R->m12, RI_5b = (double)Ji->Iyz * (double)R->m11,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)Ji->Izx * (double)R->m10, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)Ji->Ixx * (double)R->m20, RI_6b = (double)Ji->Ixy * (double)R->m21,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)Ji->Izx * (double)R->m22, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)Ji->Iyy * (double)R->m21, RI_7b = (double)Ji->Ixy * (double)R->m20,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)Ji->Iyz * (double)R->m22, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)Ji->Izz * (double)R->m22, RI_8b = (double)Ji->Iyz * (double)R->m21,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)Ji->Izx * (double)R->m20, RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = (double)Ji->mt.x * (double)R->m00, Jo_1b = (double)Ji->mt.y * (double)R->m01,
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = (double)Ji->mt.z * (double)R->m02, Jo_1 = Jo_1c + Jo_1d;
-  const double Jo_2a = (double)Ji->mt.x * (double)R->m10, Jo_2b = (double)Ji->mt.y * (double)R->m11,
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = (double)Ji->mt.z * (double)R->m12, Jo_2 = Jo_2c + Jo_2d;
-  const double Jo_3a = (double)Ji->mt.x * (double)R->m20, Jo_3b = (double)Ji->mt.y * (double)R->m21,
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = (double)Ji->mt.z * (double)R->m22, Jo_3 = Jo_3c + Jo_3d;
+  const double RI_0a = (double)Ji->Ixx * (double)R->m00,
+      RI_0c = ksl_product_sum((double)Ji->Ixy, (double)R->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Ji->Izx, (double)R->m02, RI_0c);
+  const double RI_1a = (double)Ji->Iyy * (double)R->m01,
+      RI_1c = ksl_product_sum((double)Ji->Ixy, (double)R->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)R->m02, RI_1c);
+  const double RI_2a = (double)Ji->Izz * (double)R->m02,
+      RI_2c = ksl_product_sum((double)Ji->Iyz, (double)R->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)R->m00, RI_2c);
+  const double RI_3a = (double)Ji->Ixx * (double)R->m10,
+      RI_3c = ksl_product_sum((double)Ji->Ixy, (double)R->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)R->m12, RI_3c);
+  const double RI_4a = (double)Ji->Iyy * (double)R->m11,
+      RI_4c = ksl_product_sum((double)Ji->Ixy, (double)R->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)R->m12, RI_4c);
+  const double RI_5a = (double)Ji->Izz * (double)R->m12,
+      RI_5c = ksl_product_sum((double)Ji->Iyz, (double)R->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)R->m10, RI_5c);
+  const double RI_6a = (double)Ji->Ixx * (double)R->m20,
+      RI_6c = ksl_product_sum((double)Ji->Ixy, (double)R->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)R->m22, RI_6c);
+  const double RI_7a = (double)Ji->Iyy * (double)R->m21,
+      RI_7c = ksl_product_sum((double)Ji->Ixy, (double)R->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)R->m22, RI_7c);
+  const double RI_8a = (double)Ji->Izz * (double)R->m22,
+      RI_8c = ksl_product_sum((double)Ji->Iyz, (double)R->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)R->m20, RI_8c);
+  const double Jo_1a = (double)Ji->mt.x * (double)R->m00,
+      Jo_1c = ksl_product_sum((double)Ji->mt.y, (double)R->m01, Jo_1a),
+      Jo_1 = ksl_product_sum((double)Ji->mt.z, (double)R->m02, Jo_1c);
+  const double Jo_2a = (double)Ji->mt.x * (double)R->m10,
+      Jo_2c = ksl_product_sum((double)Ji->mt.y, (double)R->m11, Jo_2a),
+      Jo_2 = ksl_product_sum((double)Ji->mt.z, (double)R->m12, Jo_2c);
+  const double Jo_3a = (double)Ji->mt.x * (double)R->m20,
+      Jo_3c = ksl_product_sum((double)Ji->mt.y, (double)R->m21, Jo_3a),
+      Jo_3 = ksl_product_sum((double)Ji->mt.z, (double)R->m22, Jo_3c);
   const double Jo_4a = KSL_MUL((double)R->m00, RI_0), Jo_4b = KSL_MUL((double)R->m01, RI_1),
       Jo_4c = Jo_4a + Jo_4b, Jo_4d = KSL_MUL((double)R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
   const double Jo_5a = KSL_MUL((double)R->m10, RI_3), Jo_5b = KSL_MUL((double)R->m11, RI_4),
@@ -1540,44 +1552,41 @@ static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const
      expanded formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R) {
   const double RI_0a = (double)self->Ixx * (double)R->m00,
-      RI_0b = (double)self->Ixy * (double)R->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)self->Izx * (double)R->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)self->Ixy, (double)R->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)self->Izx, (double)R->m02, RI_0c);
   const double RI_1a = (double)self->Iyy * (double)R->m01,
-      RI_1b = (double)self->Ixy * (double)R->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)self->Iyz * (double)R->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)self->Ixy, (double)R->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)R->m02, RI_1c);
   const double RI_2a = (double)self->Izz * (double)R->m02,
-      RI_2b = (double)self->Iyz * (double)R->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)self->Izx * (double)R->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)self->Iyz, (double)R->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)R->m00, RI_2c);
   const double RI_3a = (double)self->Ixx * (double)R->m10,
-      RI_3b = (double)self->Ixy * (double)R->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)self->Izx * (double)R->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)self->Ixy, (double)R->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)R->m12, RI_3c);
   const double RI_4a = (double)self->Iyy * (double)R->m11,
-      RI_4b = (double)self->Ixy * (double)R->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)self->Iyz * (double)R->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)self->Ixy, (double)R->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)R->m12, RI_4c);
   const double RI_5a = (double)self->Izz * (double)R->m12,
-      RI_5b = (double)self->Iyz * (double)R->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)self->Izx * (double)R->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)self->Iyz, (double)R->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)R->m10, RI_5c);
   const double RI_6a = (double)self->Ixx * (double)R->m20,
-      RI_6b = (double)self->Ixy * (double)R->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)self->Izx * (double)R->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)self->Ixy, (double)R->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)R->m22, RI_6c);
   const double RI_7a = (double)self->Iyy * (double)R->m21,
-      RI_7b = (double)self->Ixy * (double)R->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)self->Iyz * (double)R->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)self->Ixy, (double)R->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)R->m22, RI_7c);
   const double RI_8a = (double)self->Izz * (double)R->m22,
-      RI_8b = (double)self->Iyz * (double)R->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)self->Izx * (double)R->m20, RI_8 = RI_8c + RI_8d;
+      RI_8c = ksl_product_sum((double)self->Iyz, (double)R->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)R->m20, RI_8c);
   const double self_1_new_a = (double)self->mt.x * (double)R->m00,
-      self_1_new_b = (double)self->mt.y * (double)R->m01,
-      self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = (double)self->mt.z * (double)R->m02, self_1_new = self_1_new_c + self_1_new_d;
+      self_1_new_c = ksl_product_sum((double)self->mt.y, (double)R->m01, self_1_new_a),
+      self_1_new = ksl_product_sum((double)self->mt.z, (double)R->m02, self_1_new_c);
   const double self_2_new_a = (double)self->mt.x * (double)R->m10,
-      self_2_new_b = (double)self->mt.y * (double)R->m11,
-      self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = (double)self->mt.z * (double)R->m12, self_2_new = self_2_new_c + self_2_new_d;
+      self_2_new_c = ksl_product_sum((double)self->mt.y, (double)R->m11, self_2_new_a),
+      self_2_new = ksl_product_sum((double)self->mt.z, (double)R->m12, self_2_new_c);
   const double self_3_new_a = (double)self->mt.x * (double)R->m20,
-      self_3_new_b = (double)self->mt.y * (double)R->m21,
-      self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = (double)self->mt.z * (double)R->m22, self_3_new = self_3_new_c + self_3_new_d;
+      self_3_new_c = ksl_product_sum((double)self->mt.y, (double)R->m21, self_3_new_a),
+      self_3_new = ksl_product_sum((double)self->mt.z, (double)R->m22, self_3_new_c);
   const double self_4_new_a = KSL_MUL((double)R->m00, RI_0),
       self_4_new_b = KSL_MUL((double)R->m01, RI_1), self_4_new_c = self_4_new_a + self_4_new_b,
       self_4_new_d = KSL_MUL((double)R->m02, RI_2), self_4_new = self_4_new_c + self_4_new_d;
@@ -1615,9 +1624,9 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
     const ksl_vec3f_t *t, ksl_inertiaf_t *Jo) {
-  const double Jo_1a = (double)Ji->m * (double)t->x, Jo_1 = Jo_1a + (double)Ji->mt.x;
-  const double Jo_2a = (double)Ji->m * (double)t->y, Jo_2 = Jo_2a + (double)Ji->mt.y;
-  const double Jo_3a = (double)Ji->m * (double)t->z, Jo_3 = Jo_3a + (double)Ji->mt.z;
+  const double Jo_1 = ksl_product_sum((double)Ji->m, (double)t->x, (double)Ji->mt.x);
+  const double Jo_2 = ksl_product_sum((double)Ji->m, (double)t->y, (double)Ji->mt.y);
+  const double Jo_3 = ksl_product_sum((double)Ji->m, (double)t->z, (double)Ji->mt.z);
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -1644,12 +1653,9 @@ static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
    Error <= u |result| + (m: 0, mt: 1/16, I: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const ksl_vec3f_t *t) {
-  const double self_1_new_a = (double)self->m * (double)t->x,
-      self_1_new = self_1_new_a + (double)self->mt.x;
-  const double self_2_new_a = (double)self->m * (double)t->y,
-      self_2_new = self_2_new_a + (double)self->mt.y;
-  const double self_3_new_a = (double)self->m * (double)t->z,
-      self_3_new = self_3_new_a + (double)self->mt.z;
+  const double self_1_new = ksl_product_sum((double)self->m, (double)t->x, (double)self->mt.x);
+  const double self_2_new = ksl_product_sum((double)self->m, (double)t->y, (double)self->mt.y);
+  const double self_3_new = ksl_product_sum((double)self->m, (double)t->z, (double)self->mt.z);
   self->mt.x = (float)self_1_new;
   self->mt.y = (float)self_2_new;
   self->mt.z = (float)self_3_new;
@@ -1663,33 +1669,45 @@ static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const k
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
     const ksl_SE3f_t *D, ksl_inertiaf_t *Jo) {
-  const double RI_0a = (double)Ji->Ixx * (double)D->m00, RI_0b = (double)Ji->Ixy * (double)D->m01,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)Ji->Izx * (double)D->m02, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)Ji->Iyy * (double)D->m01, RI_1b = (double)Ji->Ixy * (double)D->m00,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)Ji->Iyz * (double)D->m02, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)Ji->Izz * (double)D->m02, RI_2b = (double)Ji->Iyz * (double)D->m01,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)Ji->Izx * (double)D->m00, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)Ji->Ixx * (double)D->m10, RI_3b = (double)Ji->Ixy * (double)D->m11,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)Ji->Izx * (double)D->m12, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)Ji->Iyy * (double)D->m11, RI_4b = (double)Ji->Ixy * (double)D->m10,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)Ji->Iyz * (double)D->m12, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)Ji->Izz * (double)D->m12, RI_5b = (double)Ji->Iyz * (double)D->m11,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)Ji->Izx * (double)D->m10, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)Ji->Ixx * (double)D->m20, RI_6b = (double)Ji->Ixy * (double)D->m21,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)Ji->Izx * (double)D->m22, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)Ji->Iyy * (double)D->m21, RI_7b = (double)Ji->Ixy * (double)D->m20,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)Ji->Iyz * (double)D->m22, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)Ji->Izz * (double)D->m22, RI_8b = (double)Ji->Iyz * (double)D->m21,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)Ji->Izx * (double)D->m20, RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = (double)Ji->m * (double)D->m03, Jo_1b = (double)Ji->mt.x * (double)D->m00,
-      Jo_1c = (double)Ji->mt.y * (double)D->m01, Jo_1d = Jo_1b + Jo_1c,
-      Jo_1e = (double)Ji->mt.z * (double)D->m02, Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
-  const double Jo_2a = (double)Ji->m * (double)D->m13, Jo_2b = (double)Ji->mt.x * (double)D->m10,
-      Jo_2c = (double)Ji->mt.y * (double)D->m11, Jo_2d = Jo_2b + Jo_2c,
-      Jo_2e = (double)Ji->mt.z * (double)D->m12, Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
-  const double Jo_3a = (double)Ji->m * (double)D->m23, Jo_3b = (double)Ji->mt.x * (double)D->m20,
-      Jo_3c = (double)Ji->mt.y * (double)D->m21, Jo_3d = Jo_3b + Jo_3c,
-      Jo_3e = (double)Ji->mt.z * (double)D->m22, Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
+  const double RI_0a = (double)Ji->Ixx * (double)D->m00,
+      RI_0c = ksl_product_sum((double)Ji->Ixy, (double)D->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Ji->Izx, (double)D->m02, RI_0c);
+  const double RI_1a = (double)Ji->Iyy * (double)D->m01,
+      RI_1c = ksl_product_sum((double)Ji->Ixy, (double)D->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Ji->Iyz, (double)D->m02, RI_1c);
+  const double RI_2a = (double)Ji->Izz * (double)D->m02,
+      RI_2c = ksl_product_sum((double)Ji->Iyz, (double)D->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Ji->Izx, (double)D->m00, RI_2c);
+  const double RI_3a = (double)Ji->Ixx * (double)D->m10,
+      RI_3c = ksl_product_sum((double)Ji->Ixy, (double)D->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Ji->Izx, (double)D->m12, RI_3c);
+  const double RI_4a = (double)Ji->Iyy * (double)D->m11,
+      RI_4c = ksl_product_sum((double)Ji->Ixy, (double)D->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Ji->Iyz, (double)D->m12, RI_4c);
+  const double RI_5a = (double)Ji->Izz * (double)D->m12,
+      RI_5c = ksl_product_sum((double)Ji->Iyz, (double)D->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Ji->Izx, (double)D->m10, RI_5c);
+  const double RI_6a = (double)Ji->Ixx * (double)D->m20,
+      RI_6c = ksl_product_sum((double)Ji->Ixy, (double)D->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Ji->Izx, (double)D->m22, RI_6c);
+  const double RI_7a = (double)Ji->Iyy * (double)D->m21,
+      RI_7c = ksl_product_sum((double)Ji->Ixy, (double)D->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Ji->Iyz, (double)D->m22, RI_7c);
+  const double RI_8a = (double)Ji->Izz * (double)D->m22,
+      RI_8c = ksl_product_sum((double)Ji->Iyz, (double)D->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Ji->Izx, (double)D->m20, RI_8c);
+  const double Jo_1b = (double)Ji->mt.x * (double)D->m00,
+      Jo_1d = ksl_product_sum((double)Ji->mt.y, (double)D->m01, Jo_1b),
+      Jo_1f = ksl_product_sum((double)Ji->mt.z, (double)D->m02, Jo_1d),
+      Jo_1 = ksl_product_sum((double)Ji->m, (double)D->m03, Jo_1f);
+  const double Jo_2b = (double)Ji->mt.x * (double)D->m10,
+      Jo_2d = ksl_product_sum((double)Ji->mt.y, (double)D->m11, Jo_2b),
+      Jo_2f = ksl_product_sum((double)Ji->mt.z, (double)D->m12, Jo_2d),
+      Jo_2 = ksl_product_sum((double)Ji->m, (double)D->m13, Jo_2f);
+  const double Jo_3b = (double)Ji->mt.x * (double)D->m20,
+      Jo_3d = ksl_product_sum((double)Ji->mt.y, (double)D->m21, Jo_3b),
+      Jo_3f = ksl_product_sum((double)Ji->mt.z, (double)D->m22, Jo_3d),
+      Jo_3 = ksl_product_sum((double)Ji->m, (double)D->m23, Jo_3f);
   const double Jo_4a = KSL_MUL((double)D->m00, RI_0), Jo_4b = KSL_MUL((double)D->m01, RI_1),
       Jo_4c = Jo_4a + Jo_4b, Jo_4d = KSL_MUL((double)D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
   const double Jo_5a = KSL_MUL((double)D->m10, RI_3), Jo_5b = KSL_MUL((double)D->m11, RI_4),
@@ -1723,50 +1741,44 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const ksl_SE3f_t *D) {
   const double RI_0a = (double)self->Ixx * (double)D->m00,
-      RI_0b = (double)self->Ixy * (double)D->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)self->Izx * (double)D->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)self->Ixy, (double)D->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)self->Izx, (double)D->m02, RI_0c);
   const double RI_1a = (double)self->Iyy * (double)D->m01,
-      RI_1b = (double)self->Ixy * (double)D->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)self->Iyz * (double)D->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)self->Ixy, (double)D->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)self->Iyz, (double)D->m02, RI_1c);
   const double RI_2a = (double)self->Izz * (double)D->m02,
-      RI_2b = (double)self->Iyz * (double)D->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)self->Izx * (double)D->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)self->Iyz, (double)D->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)self->Izx, (double)D->m00, RI_2c);
   const double RI_3a = (double)self->Ixx * (double)D->m10,
-      RI_3b = (double)self->Ixy * (double)D->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)self->Izx * (double)D->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)self->Ixy, (double)D->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)self->Izx, (double)D->m12, RI_3c);
   const double RI_4a = (double)self->Iyy * (double)D->m11,
-      RI_4b = (double)self->Ixy * (double)D->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)self->Iyz * (double)D->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)self->Ixy, (double)D->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)self->Iyz, (double)D->m12, RI_4c);
   const double RI_5a = (double)self->Izz * (double)D->m12,
-      RI_5b = (double)self->Iyz * (double)D->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)self->Izx * (double)D->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)self->Iyz, (double)D->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)self->Izx, (double)D->m10, RI_5c);
   const double RI_6a = (double)self->Ixx * (double)D->m20,
-      RI_6b = (double)self->Ixy * (double)D->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)self->Izx * (double)D->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)self->Ixy, (double)D->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)self->Izx, (double)D->m22, RI_6c);
   const double RI_7a = (double)self->Iyy * (double)D->m21,
-      RI_7b = (double)self->Ixy * (double)D->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)self->Iyz * (double)D->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)self->Ixy, (double)D->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)self->Iyz, (double)D->m22, RI_7c);
   const double RI_8a = (double)self->Izz * (double)D->m22,
-      RI_8b = (double)self->Iyz * (double)D->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)self->Izx * (double)D->m20, RI_8 = RI_8c + RI_8d;
-  const double self_1_new_a = (double)self->m * (double)D->m03,
-      self_1_new_b = (double)self->mt.x * (double)D->m00,
-      self_1_new_c = (double)self->mt.y * (double)D->m01,
-      self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = (double)self->mt.z * (double)D->m02,
-      self_1_new_f = self_1_new_d + self_1_new_e, self_1_new = self_1_new_a + self_1_new_f;
-  const double self_2_new_a = (double)self->m * (double)D->m13,
-      self_2_new_b = (double)self->mt.x * (double)D->m10,
-      self_2_new_c = (double)self->mt.y * (double)D->m11,
-      self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = (double)self->mt.z * (double)D->m12,
-      self_2_new_f = self_2_new_d + self_2_new_e, self_2_new = self_2_new_a + self_2_new_f;
-  const double self_3_new_a = (double)self->m * (double)D->m23,
-      self_3_new_b = (double)self->mt.x * (double)D->m20,
-      self_3_new_c = (double)self->mt.y * (double)D->m21,
-      self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = (double)self->mt.z * (double)D->m22,
-      self_3_new_f = self_3_new_d + self_3_new_e, self_3_new = self_3_new_a + self_3_new_f;
+      RI_8c = ksl_product_sum((double)self->Iyz, (double)D->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)self->Izx, (double)D->m20, RI_8c);
+  const double self_1_new_b = (double)self->mt.x * (double)D->m00,
+      self_1_new_d = ksl_product_sum((double)self->mt.y, (double)D->m01, self_1_new_b),
+      self_1_new_f = ksl_product_sum((double)self->mt.z, (double)D->m02, self_1_new_d),
+      self_1_new = ksl_product_sum((double)self->m, (double)D->m03, self_1_new_f);
+  const double self_2_new_b = (double)self->mt.x * (double)D->m10,
+      self_2_new_d = ksl_product_sum((double)self->mt.y, (double)D->m11, self_2_new_b),
+      self_2_new_f = ksl_product_sum((double)self->mt.z, (double)D->m12, self_2_new_d),
+      self_2_new = ksl_product_sum((double)self->m, (double)D->m13, self_2_new_f);
+  const double self_3_new_b = (double)self->mt.x * (double)D->m20,
+      self_3_new_d = ksl_product_sum((double)self->mt.y, (double)D->m21, self_3_new_b),
+      self_3_new_f = ksl_product_sum((double)self->mt.z, (double)D->m22, self_3_new_d),
+      self_3_new = ksl_product_sum((double)self->m, (double)D->m23, self_3_new_f);
   const double self_4_new_a = KSL_MUL((double)D->m00, RI_0),
       self_4_new_b = KSL_MUL((double)D->m01, RI_1), self_4_new_c = self_4_new_a + self_4_new_b,
       self_4_new_d = KSL_MUL((double)D->m02, RI_2), self_4_new = self_4_new_c + self_4_new_d;
@@ -1809,16 +1821,16 @@ static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const double m = (double)Ji->m + (double)Jj->m;
   const double c_0a = (double)t_jc->x * (double)D_ij->m00,
-      c_0b = (double)t_jc->y * (double)D_ij->m01, c_0c = c_0a + c_0b,
-      c_0d = (double)t_jc->z * (double)D_ij->m02, c_0e = c_0c + c_0d,
+      c_0c = ksl_product_sum((double)t_jc->y, (double)D_ij->m01, c_0a),
+      c_0e = ksl_product_sum((double)t_jc->z, (double)D_ij->m02, c_0c),
       c_0 = c_0e + (double)D_ij->m03;
   const double c_1a = (double)t_jc->x * (double)D_ij->m10,
-      c_1b = (double)t_jc->y * (double)D_ij->m11, c_1c = c_1a + c_1b,
-      c_1d = (double)t_jc->z * (double)D_ij->m12, c_1e = c_1c + c_1d,
+      c_1c = ksl_product_sum((double)t_jc->y, (double)D_ij->m11, c_1a),
+      c_1e = ksl_product_sum((double)t_jc->z, (double)D_ij->m12, c_1c),
       c_1 = c_1e + (double)D_ij->m13;
   const double c_2a = (double)t_jc->x * (double)D_ij->m20,
-      c_2b = (double)t_jc->y * (double)D_ij->m21, c_2c = c_2a + c_2b,
-      c_2d = (double)t_jc->z * (double)D_ij->m22, c_2e = c_2c + c_2d,
+      c_2c = ksl_product_sum((double)t_jc->y, (double)D_ij->m21, c_2a),
+      c_2e = ksl_product_sum((double)t_jc->z, (double)D_ij->m22, c_2c),
       c_2 = c_2e + (double)D_ij->m23;
   const double d_0 = c_0 - (double)t_ic->x;
   const double d_1 = c_1 - (double)t_ic->y;
@@ -1832,32 +1844,32 @@ static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec
   const double squares_1 = KSL_MUL(d_1, p_1);
   const double squares_2 = KSL_MUL(d_2, p_2);
   const double RI_0a = (double)Jj->Ixx * (double)D_ij->m00,
-      RI_0b = (double)Jj->Ixy * (double)D_ij->m01, RI_0c = RI_0a + RI_0b,
-      RI_0d = (double)Jj->Izx * (double)D_ij->m02, RI_0 = RI_0c + RI_0d;
+      RI_0c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m01, RI_0a),
+      RI_0 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m02, RI_0c);
   const double RI_1a = (double)Jj->Iyy * (double)D_ij->m01,
-      RI_1b = (double)Jj->Ixy * (double)D_ij->m00, RI_1c = RI_1a + RI_1b,
-      RI_1d = (double)Jj->Iyz * (double)D_ij->m02, RI_1 = RI_1c + RI_1d;
+      RI_1c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m00, RI_1a),
+      RI_1 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m02, RI_1c);
   const double RI_2a = (double)Jj->Izz * (double)D_ij->m02,
-      RI_2b = (double)Jj->Iyz * (double)D_ij->m01, RI_2c = RI_2a + RI_2b,
-      RI_2d = (double)Jj->Izx * (double)D_ij->m00, RI_2 = RI_2c + RI_2d;
+      RI_2c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m01, RI_2a),
+      RI_2 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m00, RI_2c);
   const double RI_3a = (double)Jj->Ixx * (double)D_ij->m10,
-      RI_3b = (double)Jj->Ixy * (double)D_ij->m11, RI_3c = RI_3a + RI_3b,
-      RI_3d = (double)Jj->Izx * (double)D_ij->m12, RI_3 = RI_3c + RI_3d;
+      RI_3c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m11, RI_3a),
+      RI_3 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m12, RI_3c);
   const double RI_4a = (double)Jj->Iyy * (double)D_ij->m11,
-      RI_4b = (double)Jj->Ixy * (double)D_ij->m10, RI_4c = RI_4a + RI_4b,
-      RI_4d = (double)Jj->Iyz * (double)D_ij->m12, RI_4 = RI_4c + RI_4d;
+      RI_4c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m10, RI_4a),
+      RI_4 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m12, RI_4c);
   const double RI_5a = (double)Jj->Izz * (double)D_ij->m12,
-      RI_5b = (double)Jj->Iyz * (double)D_ij->m11, RI_5c = RI_5a + RI_5b,
-      RI_5d = (double)Jj->Izx * (double)D_ij->m10, RI_5 = RI_5c + RI_5d;
+      RI_5c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m11, RI_5a),
+      RI_5 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m10, RI_5c);
   const double RI_6a = (double)Jj->Ixx * (double)D_ij->m20,
-      RI_6b = (double)Jj->Ixy * (double)D_ij->m21, RI_6c = RI_6a + RI_6b,
-      RI_6d = (double)Jj->Izx * (double)D_ij->m22, RI_6 = RI_6c + RI_6d;
+      RI_6c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m21, RI_6a),
+      RI_6 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m22, RI_6c);
   const double RI_7a = (double)Jj->Iyy * (double)D_ij->m21,
-      RI_7b = (double)Jj->Ixy * (double)D_ij->m20, RI_7c = RI_7a + RI_7b,
-      RI_7d = (double)Jj->Iyz * (double)D_ij->m22, RI_7 = RI_7c + RI_7d;
+      RI_7c = ksl_product_sum((double)Jj->Ixy, (double)D_ij->m20, RI_7a),
+      RI_7 = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m22, RI_7c);
   const double RI_8a = (double)Jj->Izz * (double)D_ij->m22,
-      RI_8b = (double)Jj->Iyz * (double)D_ij->m21, RI_8c = RI_8a + RI_8b,
-      RI_8d = (double)Jj->Izx * (double)D_ij->m20, RI_8 = RI_8c + RI_8d;
+      RI_8c = ksl_product_sum((double)Jj->Iyz, (double)D_ij->m21, RI_8a),
+      RI_8 = ksl_product_sum((double)Jj->Izx, (double)D_ij->m20, RI_8c);
   const double Ji_1_new_a = KSL_MUL((double)Jj->m, c_0), Ji_1_new = (double)Ji->mt.x + Ji_1_new_a;
   const double Ji_2_new_a = KSL_MUL((double)Jj->m, c_1), Ji_2_new = (double)Ji->mt.y + Ji_2_new_a;
   const double Ji_3_new_a = KSL_MUL((double)Jj->m, c_2), Ji_3_new = (double)Ji->mt.z + Ji_3_new_a;

@@ -39,6 +39,16 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #endif
 }
 
+/* a b + c rounded once, where a b is exact: with fma and without, the same bits. */
+static inline double ksl_product_sum(const double a, const double b, const double c) {
+#if KSL_HAS_FMA
+  return fma(a, b, c);
+#else
+  const double product = KSL_MUL(a, b);
+  return product + c;
+#endif
+}
+
 /* a b - h rounded once, where p is a b rounded and p - h is exact. */
 static inline double ksl_product_rest(
     const double a, const double b, const double p, const double h) {

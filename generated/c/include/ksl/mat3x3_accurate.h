@@ -2335,12 +2335,12 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
    Error <= u |result| + 5/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
-  const double n_0a = (double)R->m11 * (double)R->m22, n_0b = (double)R->m12 * (double)R->m21,
-      n_0 = n_0a - n_0b;
-  const double n_1a = (double)R->m02 * (double)R->m21, n_1b = (double)R->m01 * (double)R->m22,
-      n_1 = n_1a - n_1b;
-  const double n_2a = (double)R->m01 * (double)R->m12, n_2b = (double)R->m02 * (double)R->m11,
-      n_2 = n_2a - n_2b;
+  const double n_0a = (double)R->m11 * (double)R->m22,
+      n_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n_0a);
+  const double n_1a = (double)R->m02 * (double)R->m21,
+      n_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n_1a);
+  const double n_2a = (double)R->m01 * (double)R->m12,
+      n_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n_2a);
   const double det_a = KSL_MUL((double)R->m00, n_0), det_b = KSL_MUL((double)R->m10, n_1),
       det_c = det_a + det_b, det_d = KSL_MUL((double)R->m20, n_2), det = det_c + det_d;
   return (float)det;
@@ -2353,24 +2353,24 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
    Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
      the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double n0_0a = (double)R->m11 * (double)R->m22, n0_0b = (double)R->m12 * (double)R->m21,
-      n0_0 = n0_0a - n0_0b;
-  const double n0_1a = (double)R->m02 * (double)R->m21, n0_1b = (double)R->m01 * (double)R->m22,
-      n0_1 = n0_1a - n0_1b;
-  const double n0_2a = (double)R->m01 * (double)R->m12, n0_2b = (double)R->m02 * (double)R->m11,
-      n0_2 = n0_2a - n0_2b;
-  const double n1_0a = (double)R->m12 * (double)R->m20, n1_0b = (double)R->m10 * (double)R->m22,
-      n1_0 = n1_0a - n1_0b;
-  const double n1_1a = (double)R->m00 * (double)R->m22, n1_1b = (double)R->m02 * (double)R->m20,
-      n1_1 = n1_1a - n1_1b;
-  const double n1_2a = (double)R->m02 * (double)R->m10, n1_2b = (double)R->m00 * (double)R->m12,
-      n1_2 = n1_2a - n1_2b;
-  const double n2_0a = (double)R->m10 * (double)R->m21, n2_0b = (double)R->m11 * (double)R->m20,
-      n2_0 = n2_0a - n2_0b;
-  const double n2_1a = (double)R->m01 * (double)R->m20, n2_1b = (double)R->m00 * (double)R->m21,
-      n2_1 = n2_1a - n2_1b;
-  const double n2_2a = (double)R->m00 * (double)R->m11, n2_2b = (double)R->m01 * (double)R->m10,
-      n2_2 = n2_2a - n2_2b;
+  const double n0_0a = (double)R->m11 * (double)R->m22,
+      n0_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n0_0a);
+  const double n0_1a = (double)R->m02 * (double)R->m21,
+      n0_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n0_1a);
+  const double n0_2a = (double)R->m01 * (double)R->m12,
+      n0_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n0_2a);
+  const double n1_0a = (double)R->m12 * (double)R->m20,
+      n1_0 = ksl_product_sum(-(double)R->m10, (double)R->m22, n1_0a);
+  const double n1_1a = (double)R->m00 * (double)R->m22,
+      n1_1 = ksl_product_sum(-(double)R->m02, (double)R->m20, n1_1a);
+  const double n1_2a = (double)R->m02 * (double)R->m10,
+      n1_2 = ksl_product_sum(-(double)R->m00, (double)R->m12, n1_2a);
+  const double n2_0a = (double)R->m10 * (double)R->m21,
+      n2_0 = ksl_product_sum(-(double)R->m11, (double)R->m20, n2_0a);
+  const double n2_1a = (double)R->m01 * (double)R->m20,
+      n2_1 = ksl_product_sum(-(double)R->m00, (double)R->m21, n2_1a);
+  const double n2_2a = (double)R->m00 * (double)R->m11,
+      n2_2 = ksl_product_sum(-(double)R->m01, (double)R->m10, n2_2a);
   const double d_a = KSL_MUL((double)R->m00, n0_0), d_b = KSL_MUL((double)R->m10, n0_1),
       d_c = d_a + d_b, d_d = KSL_MUL((double)R->m20, n0_2), d = d_c + d_d;
   const double size0_0 = fabs((double)R->m00);
@@ -2731,8 +2731,8 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
-  const double n_a = (double)R->m00 * (double)R->m00, n_b = (double)R->m01 * (double)R->m01,
-      n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = (double)R->m00 * (double)R->m00,
+      n_c = ksl_product_sum((double)R->m01, (double)R->m01, n_a), n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
@@ -2757,8 +2757,8 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
-  const double n_a = (double)R->m01 * (double)R->m01, n_b = (double)R->m02 * (double)R->m02,
-      n_c = n_a + n_b, n = sqrt(n_c);
+  const double n_a = (double)R->m01 * (double)R->m01,
+      n_c = ksl_product_sum((double)R->m02, (double)R->m02, n_a), n = sqrt(n_c);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = (double)R->m01 / divisor;

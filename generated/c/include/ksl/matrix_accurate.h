@@ -2640,12 +2640,15 @@ static inline void ksl_product_ddtzinv_accurate(const ksl_SE3_t *D, const double
      over- and underflow. */
 static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m02 * (double)v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = (double)R->m10 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m12 * (double)v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = (double)R->m20 * (double)v->x, vo_2b = (double)R->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
+      vo_0 = ksl_product_sum((double)R->m02, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1 = ksl_product_sum((double)R->m12, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2658,15 +2661,15 @@ static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_v
      over- and underflow. */
 static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m02 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m10 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m12 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m20 * (double)v->x, vo_2b = (double)R->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)R->m02, (double)v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = (double)R->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)R->m12, (double)v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = (double)R->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2679,12 +2682,15 @@ static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m10 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m20 * (double)v->z, vo_0 = vo_0c + vo_0d;
-  const double vo_1a = (double)R->m01 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m21 * (double)v->z, vo_1 = vo_1c + vo_1d;
-  const double vo_2a = (double)R->m02 * (double)v->x, vo_2b = (double)R->m12 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2 = vo_2c + vo_2d;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
+      vo_0 = ksl_product_sum((double)R->m20, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m01 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1 = ksl_product_sum((double)R->m21, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m02 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
+      vo_2 = ksl_product_sum((double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2697,15 +2703,15 @@ static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x, vo_0b = (double)R->m10 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)R->m20 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m01 * (double)v->x, vo_1b = (double)R->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)R->m21 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m02 * (double)v->x, vo_2b = (double)R->m12 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)R->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)R->m20, (double)v->z, vo_0c), vo_0 = -vo_0e;
+  const double vo_1a = (double)R->m01 * (double)v->x,
+      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)R->m21, (double)v->z, vo_1c), vo_1 = -vo_1e;
+  const double vo_2a = (double)R->m02 * (double)v->x,
+      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2718,15 +2724,15 @@ static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const
      over- and underflow. */
 static inline void ksl_product_dvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)D->m00 * (double)v->x, vo_0b = (double)D->m01 * (double)v->y,
-      vo_0c = vo_0a + vo_0b, vo_0d = (double)D->m02 * (double)v->z, vo_0e = vo_0c + vo_0d,
-      vo_0 = vo_0e + (double)D->m03;
-  const double vo_1a = (double)D->m10 * (double)v->x, vo_1b = (double)D->m11 * (double)v->y,
-      vo_1c = vo_1a + vo_1b, vo_1d = (double)D->m12 * (double)v->z, vo_1e = vo_1c + vo_1d,
-      vo_1 = vo_1e + (double)D->m13;
-  const double vo_2a = (double)D->m20 * (double)v->x, vo_2b = (double)D->m21 * (double)v->y,
-      vo_2c = vo_2a + vo_2b, vo_2d = (double)D->m22 * (double)v->z, vo_2e = vo_2c + vo_2d,
-      vo_2 = vo_2e + (double)D->m23;
+  const double vo_0a = (double)D->m00 * (double)v->x,
+      vo_0c = ksl_product_sum((double)D->m01, (double)v->y, vo_0a),
+      vo_0e = ksl_product_sum((double)D->m02, (double)v->z, vo_0c), vo_0 = vo_0e + (double)D->m03;
+  const double vo_1a = (double)D->m10 * (double)v->x,
+      vo_1c = ksl_product_sum((double)D->m11, (double)v->y, vo_1a),
+      vo_1e = ksl_product_sum((double)D->m12, (double)v->z, vo_1c), vo_1 = vo_1e + (double)D->m13;
+  const double vo_2a = (double)D->m20 * (double)v->x,
+      vo_2c = ksl_product_sum((double)D->m21, (double)v->y, vo_2a),
+      vo_2e = ksl_product_sum((double)D->m22, (double)v->z, vo_2c), vo_2 = vo_2e + (double)D->m23;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2761,32 +2767,32 @@ static inline void ksl_product_dinvvf_accurate(const ksl_SE3f_t *D, const ksl_ve
 static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m01 * (double)R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m02 * (double)R2->m20, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m01, (double)R2->m10, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m20, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m01,
-      Ro_01b = (double)R1->m01 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m02 * (double)R2->m21, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m01, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m21, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m02,
-      Ro_02b = (double)R1->m01 * (double)R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m02 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m01, (double)R2->m12, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m10 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m12 * (double)R2->m20, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m10, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m20, Ro_10c);
   const double Ro_11a = (double)R1->m10 * (double)R2->m01,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m12 * (double)R2->m21, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m21, Ro_11c);
   const double Ro_12a = (double)R1->m10 * (double)R2->m02,
-      Ro_12b = (double)R1->m11 * (double)R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m12 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m12, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m20 * (double)R2->m00,
-      Ro_20b = (double)R1->m21 * (double)R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m20, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m21, (double)R2->m10, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, Ro_20c);
   const double Ro_21a = (double)R1->m20 * (double)R2->m01,
-      Ro_21b = (double)R1->m21 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m21, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m21, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, Ro_21c);
   const double Ro_22a = (double)R1->m20 * (double)R2->m02,
-      Ro_22b = (double)R1->m21 * (double)R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m21, (double)R2->m12, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2806,32 +2812,32 @@ static inline void ksl_product_drdrf_accurate(const ksl_mat3x3f_t *R1, const ksl
 static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m01 * (double)R2->m01, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m02 * (double)R2->m02, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m01, (double)R2->m01, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m02, (double)R2->m02, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m10,
-      Ro_01b = (double)R1->m01 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m02 * (double)R2->m12, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m01, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m02, (double)R2->m12, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m20,
-      Ro_02b = (double)R1->m01 * (double)R2->m21, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m02 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m01, (double)R2->m21, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m02, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m10 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m01, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m12 * (double)R2->m02, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m01, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m12, (double)R2->m02, Ro_10c);
   const double Ro_11a = (double)R1->m10 * (double)R2->m10,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m12 * (double)R2->m12, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m12, (double)R2->m12, Ro_11c);
   const double Ro_12a = (double)R1->m10 * (double)R2->m20,
-      Ro_12b = (double)R1->m11 * (double)R2->m21, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m12 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m21, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m12, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m20 * (double)R2->m00,
-      Ro_20b = (double)R1->m21 * (double)R2->m01, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m02, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m21, (double)R2->m01, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m02, Ro_20c);
   const double Ro_21a = (double)R1->m20 * (double)R2->m10,
-      Ro_21b = (double)R1->m21 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m12, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m21, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m12, Ro_21c);
   const double Ro_22a = (double)R1->m20 * (double)R2->m20,
-      Ro_22b = (double)R1->m21 * (double)R2->m21, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m21, (double)R2->m21, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2851,32 +2857,32 @@ static inline void ksl_product_drdrinvf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
   const double Ro_00a = (double)R1->m00 * (double)R2->m00,
-      Ro_00b = (double)R1->m10 * (double)R2->m10, Ro_00c = Ro_00a + Ro_00b,
-      Ro_00d = (double)R1->m20 * (double)R2->m20, Ro_00 = Ro_00c + Ro_00d;
+      Ro_00c = ksl_product_sum((double)R1->m10, (double)R2->m10, Ro_00a),
+      Ro_00 = ksl_product_sum((double)R1->m20, (double)R2->m20, Ro_00c);
   const double Ro_01a = (double)R1->m00 * (double)R2->m01,
-      Ro_01b = (double)R1->m10 * (double)R2->m11, Ro_01c = Ro_01a + Ro_01b,
-      Ro_01d = (double)R1->m20 * (double)R2->m21, Ro_01 = Ro_01c + Ro_01d;
+      Ro_01c = ksl_product_sum((double)R1->m10, (double)R2->m11, Ro_01a),
+      Ro_01 = ksl_product_sum((double)R1->m20, (double)R2->m21, Ro_01c);
   const double Ro_02a = (double)R1->m00 * (double)R2->m02,
-      Ro_02b = (double)R1->m10 * (double)R2->m12, Ro_02c = Ro_02a + Ro_02b,
-      Ro_02d = (double)R1->m20 * (double)R2->m22, Ro_02 = Ro_02c + Ro_02d;
+      Ro_02c = ksl_product_sum((double)R1->m10, (double)R2->m12, Ro_02a),
+      Ro_02 = ksl_product_sum((double)R1->m20, (double)R2->m22, Ro_02c);
   const double Ro_10a = (double)R1->m01 * (double)R2->m00,
-      Ro_10b = (double)R1->m11 * (double)R2->m10, Ro_10c = Ro_10a + Ro_10b,
-      Ro_10d = (double)R1->m21 * (double)R2->m20, Ro_10 = Ro_10c + Ro_10d;
+      Ro_10c = ksl_product_sum((double)R1->m11, (double)R2->m10, Ro_10a),
+      Ro_10 = ksl_product_sum((double)R1->m21, (double)R2->m20, Ro_10c);
   const double Ro_11a = (double)R1->m01 * (double)R2->m01,
-      Ro_11b = (double)R1->m11 * (double)R2->m11, Ro_11c = Ro_11a + Ro_11b,
-      Ro_11d = (double)R1->m21 * (double)R2->m21, Ro_11 = Ro_11c + Ro_11d;
+      Ro_11c = ksl_product_sum((double)R1->m11, (double)R2->m11, Ro_11a),
+      Ro_11 = ksl_product_sum((double)R1->m21, (double)R2->m21, Ro_11c);
   const double Ro_12a = (double)R1->m01 * (double)R2->m02,
-      Ro_12b = (double)R1->m11 * (double)R2->m12, Ro_12c = Ro_12a + Ro_12b,
-      Ro_12d = (double)R1->m21 * (double)R2->m22, Ro_12 = Ro_12c + Ro_12d;
+      Ro_12c = ksl_product_sum((double)R1->m11, (double)R2->m12, Ro_12a),
+      Ro_12 = ksl_product_sum((double)R1->m21, (double)R2->m22, Ro_12c);
   const double Ro_20a = (double)R1->m02 * (double)R2->m00,
-      Ro_20b = (double)R1->m12 * (double)R2->m10, Ro_20c = Ro_20a + Ro_20b,
-      Ro_20d = (double)R1->m22 * (double)R2->m20, Ro_20 = Ro_20c + Ro_20d;
+      Ro_20c = ksl_product_sum((double)R1->m12, (double)R2->m10, Ro_20a),
+      Ro_20 = ksl_product_sum((double)R1->m22, (double)R2->m20, Ro_20c);
   const double Ro_21a = (double)R1->m02 * (double)R2->m01,
-      Ro_21b = (double)R1->m12 * (double)R2->m11, Ro_21c = Ro_21a + Ro_21b,
-      Ro_21d = (double)R1->m22 * (double)R2->m21, Ro_21 = Ro_21c + Ro_21d;
+      Ro_21c = ksl_product_sum((double)R1->m12, (double)R2->m11, Ro_21a),
+      Ro_21 = ksl_product_sum((double)R1->m22, (double)R2->m21, Ro_21c);
   const double Ro_22a = (double)R1->m02 * (double)R2->m02,
-      Ro_22b = (double)R1->m12 * (double)R2->m12, Ro_22c = Ro_22a + Ro_22b,
-      Ro_22d = (double)R1->m22 * (double)R2->m22, Ro_22 = Ro_22c + Ro_22d;
+      Ro_22c = ksl_product_sum((double)R1->m12, (double)R2->m12, Ro_22a),
+      Ro_22 = ksl_product_sum((double)R1->m22, (double)R2->m22, Ro_22c);
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2896,43 +2902,43 @@ static inline void ksl_product_drinvdrf_accurate(const ksl_mat3x3f_t *R1, const 
 static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
   const double Do_00a = (double)D1->m00 * (double)D2->m00,
-      Do_00b = (double)D1->m01 * (double)D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = (double)D1->m02 * (double)D2->m20, Do_00 = Do_00c + Do_00d;
+      Do_00c = ksl_product_sum((double)D1->m01, (double)D2->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D1->m02, (double)D2->m20, Do_00c);
   const double Do_01a = (double)D1->m00 * (double)D2->m01,
-      Do_01b = (double)D1->m01 * (double)D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = (double)D1->m02 * (double)D2->m21, Do_01 = Do_01c + Do_01d;
+      Do_01c = ksl_product_sum((double)D1->m01, (double)D2->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D1->m02, (double)D2->m21, Do_01c);
   const double Do_02a = (double)D1->m00 * (double)D2->m02,
-      Do_02b = (double)D1->m01 * (double)D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = (double)D1->m02 * (double)D2->m22, Do_02 = Do_02c + Do_02d;
+      Do_02c = ksl_product_sum((double)D1->m01, (double)D2->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D1->m02, (double)D2->m22, Do_02c);
   const double Do_03a = (double)D1->m00 * (double)D2->m03,
-      Do_03b = (double)D1->m01 * (double)D2->m13, Do_03c = Do_03a + Do_03b,
-      Do_03d = (double)D1->m02 * (double)D2->m23, Do_03e = Do_03c + Do_03d,
+      Do_03c = ksl_product_sum((double)D1->m01, (double)D2->m13, Do_03a),
+      Do_03e = ksl_product_sum((double)D1->m02, (double)D2->m23, Do_03c),
       Do_03 = Do_03e + (double)D1->m03;
   const double Do_10a = (double)D1->m10 * (double)D2->m00,
-      Do_10b = (double)D1->m11 * (double)D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = (double)D1->m12 * (double)D2->m20, Do_10 = Do_10c + Do_10d;
+      Do_10c = ksl_product_sum((double)D1->m11, (double)D2->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D1->m12, (double)D2->m20, Do_10c);
   const double Do_11a = (double)D1->m10 * (double)D2->m01,
-      Do_11b = (double)D1->m11 * (double)D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = (double)D1->m12 * (double)D2->m21, Do_11 = Do_11c + Do_11d;
+      Do_11c = ksl_product_sum((double)D1->m11, (double)D2->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D1->m12, (double)D2->m21, Do_11c);
   const double Do_12a = (double)D1->m10 * (double)D2->m02,
-      Do_12b = (double)D1->m11 * (double)D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = (double)D1->m12 * (double)D2->m22, Do_12 = Do_12c + Do_12d;
+      Do_12c = ksl_product_sum((double)D1->m11, (double)D2->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D1->m12, (double)D2->m22, Do_12c);
   const double Do_13a = (double)D1->m10 * (double)D2->m03,
-      Do_13b = (double)D1->m11 * (double)D2->m13, Do_13c = Do_13a + Do_13b,
-      Do_13d = (double)D1->m12 * (double)D2->m23, Do_13e = Do_13c + Do_13d,
+      Do_13c = ksl_product_sum((double)D1->m11, (double)D2->m13, Do_13a),
+      Do_13e = ksl_product_sum((double)D1->m12, (double)D2->m23, Do_13c),
       Do_13 = Do_13e + (double)D1->m13;
   const double Do_20a = (double)D1->m20 * (double)D2->m00,
-      Do_20b = (double)D1->m21 * (double)D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = (double)D1->m22 * (double)D2->m20, Do_20 = Do_20c + Do_20d;
+      Do_20c = ksl_product_sum((double)D1->m21, (double)D2->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20, Do_20c);
   const double Do_21a = (double)D1->m20 * (double)D2->m01,
-      Do_21b = (double)D1->m21 * (double)D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = (double)D1->m22 * (double)D2->m21, Do_21 = Do_21c + Do_21d;
+      Do_21c = ksl_product_sum((double)D1->m21, (double)D2->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, Do_21c);
   const double Do_22a = (double)D1->m20 * (double)D2->m02,
-      Do_22b = (double)D1->m21 * (double)D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = (double)D1->m22 * (double)D2->m22, Do_22 = Do_22c + Do_22d;
+      Do_22c = ksl_product_sum((double)D1->m21, (double)D2->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, Do_22c);
   const double Do_23a = (double)D1->m20 * (double)D2->m03,
-      Do_23b = (double)D1->m21 * (double)D2->m13, Do_23c = Do_23a + Do_23b,
-      Do_23d = (double)D1->m22 * (double)D2->m23, Do_23e = Do_23c + Do_23d,
+      Do_23c = ksl_product_sum((double)D1->m21, (double)D2->m13, Do_23a),
+      Do_23e = ksl_product_sum((double)D1->m22, (double)D2->m23, Do_23c),
       Do_23 = Do_23e + (double)D1->m23;
   Do->m00 = (float)Do_00;
   Do->m01 = (float)Do_01;
@@ -2955,24 +2961,33 @@ static inline void ksl_product_ddf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f
      formula; barring over- and underflow. */
 static inline void ksl_product_ddinvf_accurate(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     ksl_SE3f_t *Do) {
-  const double R_0a = (double)D1->m00 * (double)D2->m00, R_0b = (double)D1->m01 * (double)D2->m01,
-      R_0c = R_0a + R_0b, R_0d = (double)D1->m02 * (double)D2->m02, R_0 = R_0c + R_0d;
-  const double R_1a = (double)D1->m00 * (double)D2->m10, R_1b = (double)D1->m01 * (double)D2->m11,
-      R_1c = R_1a + R_1b, R_1d = (double)D1->m02 * (double)D2->m12, R_1 = R_1c + R_1d;
-  const double R_2a = (double)D1->m00 * (double)D2->m20, R_2b = (double)D1->m01 * (double)D2->m21,
-      R_2c = R_2a + R_2b, R_2d = (double)D1->m02 * (double)D2->m22, R_2 = R_2c + R_2d;
-  const double R_3a = (double)D1->m10 * (double)D2->m00, R_3b = (double)D1->m11 * (double)D2->m01,
-      R_3c = R_3a + R_3b, R_3d = (double)D1->m12 * (double)D2->m02, R_3 = R_3c + R_3d;
-  const double R_4a = (double)D1->m10 * (double)D2->m10, R_4b = (double)D1->m11 * (double)D2->m11,
-      R_4c = R_4a + R_4b, R_4d = (double)D1->m12 * (double)D2->m12, R_4 = R_4c + R_4d;
-  const double R_5a = (double)D1->m10 * (double)D2->m20, R_5b = (double)D1->m11 * (double)D2->m21,
-      R_5c = R_5a + R_5b, R_5d = (double)D1->m12 * (double)D2->m22, R_5 = R_5c + R_5d;
-  const double R_6a = (double)D1->m20 * (double)D2->m00, R_6b = (double)D1->m21 * (double)D2->m01,
-      R_6c = R_6a + R_6b, R_6d = (double)D1->m22 * (double)D2->m02, R_6 = R_6c + R_6d;
-  const double R_7a = (double)D1->m20 * (double)D2->m10, R_7b = (double)D1->m21 * (double)D2->m11,
-      R_7c = R_7a + R_7b, R_7d = (double)D1->m22 * (double)D2->m12, R_7 = R_7c + R_7d;
-  const double R_8a = (double)D1->m20 * (double)D2->m20, R_8b = (double)D1->m21 * (double)D2->m21,
-      R_8c = R_8a + R_8b, R_8d = (double)D1->m22 * (double)D2->m22, R_8 = R_8c + R_8d;
+  const double R_0a = (double)D1->m00 * (double)D2->m00,
+      R_0c = ksl_product_sum((double)D1->m01, (double)D2->m01, R_0a),
+      R_0 = ksl_product_sum((double)D1->m02, (double)D2->m02, R_0c);
+  const double R_1a = (double)D1->m00 * (double)D2->m10,
+      R_1c = ksl_product_sum((double)D1->m01, (double)D2->m11, R_1a),
+      R_1 = ksl_product_sum((double)D1->m02, (double)D2->m12, R_1c);
+  const double R_2a = (double)D1->m00 * (double)D2->m20,
+      R_2c = ksl_product_sum((double)D1->m01, (double)D2->m21, R_2a),
+      R_2 = ksl_product_sum((double)D1->m02, (double)D2->m22, R_2c);
+  const double R_3a = (double)D1->m10 * (double)D2->m00,
+      R_3c = ksl_product_sum((double)D1->m11, (double)D2->m01, R_3a),
+      R_3 = ksl_product_sum((double)D1->m12, (double)D2->m02, R_3c);
+  const double R_4a = (double)D1->m10 * (double)D2->m10,
+      R_4c = ksl_product_sum((double)D1->m11, (double)D2->m11, R_4a),
+      R_4 = ksl_product_sum((double)D1->m12, (double)D2->m12, R_4c);
+  const double R_5a = (double)D1->m10 * (double)D2->m20,
+      R_5c = ksl_product_sum((double)D1->m11, (double)D2->m21, R_5a),
+      R_5 = ksl_product_sum((double)D1->m12, (double)D2->m22, R_5c);
+  const double R_6a = (double)D1->m20 * (double)D2->m00,
+      R_6c = ksl_product_sum((double)D1->m21, (double)D2->m01, R_6a),
+      R_6 = ksl_product_sum((double)D1->m22, (double)D2->m02, R_6c);
+  const double R_7a = (double)D1->m20 * (double)D2->m10,
+      R_7c = ksl_product_sum((double)D1->m21, (double)D2->m11, R_7a),
+      R_7 = ksl_product_sum((double)D1->m22, (double)D2->m12, R_7c);
+  const double R_8a = (double)D1->m20 * (double)D2->m20,
+      R_8c = ksl_product_sum((double)D1->m21, (double)D2->m21, R_8a),
+      R_8 = ksl_product_sum((double)D1->m22, (double)D2->m22, R_8c);
   const double Do_03a = KSL_MUL((double)D2->m03, R_0), Do_03b = KSL_MUL((double)D2->m13, R_1),
       Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL((double)D2->m23, R_2), Do_03e = Do_03c + Do_03d,
       Do_03 = (double)D1->m03 - Do_03e;
@@ -3007,36 +3022,36 @@ static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_S
   const double p_1 = (double)D2->m13 - (double)D1->m13;
   const double p_2 = (double)D2->m23 - (double)D1->m23;
   const double Do_00a = (double)D1->m00 * (double)D2->m00,
-      Do_00b = (double)D1->m10 * (double)D2->m10, Do_00c = Do_00a + Do_00b,
-      Do_00d = (double)D1->m20 * (double)D2->m20, Do_00 = Do_00c + Do_00d;
+      Do_00c = ksl_product_sum((double)D1->m10, (double)D2->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D1->m20, (double)D2->m20, Do_00c);
   const double Do_01a = (double)D1->m00 * (double)D2->m01,
-      Do_01b = (double)D1->m10 * (double)D2->m11, Do_01c = Do_01a + Do_01b,
-      Do_01d = (double)D1->m20 * (double)D2->m21, Do_01 = Do_01c + Do_01d;
+      Do_01c = ksl_product_sum((double)D1->m10, (double)D2->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D1->m20, (double)D2->m21, Do_01c);
   const double Do_02a = (double)D1->m00 * (double)D2->m02,
-      Do_02b = (double)D1->m10 * (double)D2->m12, Do_02c = Do_02a + Do_02b,
-      Do_02d = (double)D1->m20 * (double)D2->m22, Do_02 = Do_02c + Do_02d;
+      Do_02c = ksl_product_sum((double)D1->m10, (double)D2->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D1->m20, (double)D2->m22, Do_02c);
   const double Do_03a = KSL_MUL((double)D1->m00, p_0), Do_03b = KSL_MUL((double)D1->m10, p_1),
       Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL((double)D1->m20, p_2), Do_03 = Do_03c + Do_03d;
   const double Do_10a = (double)D1->m01 * (double)D2->m00,
-      Do_10b = (double)D1->m11 * (double)D2->m10, Do_10c = Do_10a + Do_10b,
-      Do_10d = (double)D1->m21 * (double)D2->m20, Do_10 = Do_10c + Do_10d;
+      Do_10c = ksl_product_sum((double)D1->m11, (double)D2->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D1->m21, (double)D2->m20, Do_10c);
   const double Do_11a = (double)D1->m01 * (double)D2->m01,
-      Do_11b = (double)D1->m11 * (double)D2->m11, Do_11c = Do_11a + Do_11b,
-      Do_11d = (double)D1->m21 * (double)D2->m21, Do_11 = Do_11c + Do_11d;
+      Do_11c = ksl_product_sum((double)D1->m11, (double)D2->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D1->m21, (double)D2->m21, Do_11c);
   const double Do_12a = (double)D1->m01 * (double)D2->m02,
-      Do_12b = (double)D1->m11 * (double)D2->m12, Do_12c = Do_12a + Do_12b,
-      Do_12d = (double)D1->m21 * (double)D2->m22, Do_12 = Do_12c + Do_12d;
+      Do_12c = ksl_product_sum((double)D1->m11, (double)D2->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D1->m21, (double)D2->m22, Do_12c);
   const double Do_13a = KSL_MUL((double)D1->m01, p_0), Do_13b = KSL_MUL((double)D1->m11, p_1),
       Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL((double)D1->m21, p_2), Do_13 = Do_13c + Do_13d;
   const double Do_20a = (double)D1->m02 * (double)D2->m00,
-      Do_20b = (double)D1->m12 * (double)D2->m10, Do_20c = Do_20a + Do_20b,
-      Do_20d = (double)D1->m22 * (double)D2->m20, Do_20 = Do_20c + Do_20d;
+      Do_20c = ksl_product_sum((double)D1->m12, (double)D2->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D1->m22, (double)D2->m20, Do_20c);
   const double Do_21a = (double)D1->m02 * (double)D2->m01,
-      Do_21b = (double)D1->m12 * (double)D2->m11, Do_21c = Do_21a + Do_21b,
-      Do_21d = (double)D1->m22 * (double)D2->m21, Do_21 = Do_21c + Do_21d;
+      Do_21c = ksl_product_sum((double)D1->m12, (double)D2->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D1->m22, (double)D2->m21, Do_21c);
   const double Do_22a = (double)D1->m02 * (double)D2->m02,
-      Do_22b = (double)D1->m12 * (double)D2->m12, Do_22c = Do_22a + Do_22b,
-      Do_22d = (double)D1->m22 * (double)D2->m22, Do_22 = Do_22c + Do_22d;
+      Do_22c = ksl_product_sum((double)D1->m12, (double)D2->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D1->m22, (double)D2->m22, Do_22c);
   const double Do_23a = KSL_MUL((double)D1->m02, p_0), Do_23b = KSL_MUL((double)D1->m12, p_1),
       Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL((double)D1->m22, p_2), Do_23 = Do_23c + Do_23d;
   Do->m00 = (float)Do_00;
@@ -3060,24 +3075,33 @@ static inline void ksl_product_dinvdf_accurate(const ksl_SE3f_t *D1, const ksl_S
      barring over- and underflow. */
 static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)R->m00, Do_00b = (double)D->m01 * (double)R->m10,
-      Do_00c = Do_00a + Do_00b, Do_00d = (double)D->m02 * (double)R->m20, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = (double)D->m00 * (double)R->m01, Do_01b = (double)D->m01 * (double)R->m11,
-      Do_01c = Do_01a + Do_01b, Do_01d = (double)D->m02 * (double)R->m21, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = (double)D->m00 * (double)R->m02, Do_02b = (double)D->m01 * (double)R->m12,
-      Do_02c = Do_02a + Do_02b, Do_02d = (double)D->m02 * (double)R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = (double)D->m10 * (double)R->m00, Do_10b = (double)D->m11 * (double)R->m10,
-      Do_10c = Do_10a + Do_10b, Do_10d = (double)D->m12 * (double)R->m20, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = (double)D->m10 * (double)R->m01, Do_11b = (double)D->m11 * (double)R->m11,
-      Do_11c = Do_11a + Do_11b, Do_11d = (double)D->m12 * (double)R->m21, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = (double)D->m10 * (double)R->m02, Do_12b = (double)D->m11 * (double)R->m12,
-      Do_12c = Do_12a + Do_12b, Do_12d = (double)D->m12 * (double)R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = (double)D->m20 * (double)R->m00, Do_20b = (double)D->m21 * (double)R->m10,
-      Do_20c = Do_20a + Do_20b, Do_20d = (double)D->m22 * (double)R->m20, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = (double)D->m20 * (double)R->m01, Do_21b = (double)D->m21 * (double)R->m11,
-      Do_21c = Do_21a + Do_21b, Do_21d = (double)D->m22 * (double)R->m21, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = (double)D->m20 * (double)R->m02, Do_22b = (double)D->m21 * (double)R->m12,
-      Do_22c = Do_22a + Do_22b, Do_22d = (double)D->m22 * (double)R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = (double)D->m00 * (double)R->m00,
+      Do_00c = ksl_product_sum((double)D->m01, (double)R->m10, Do_00a),
+      Do_00 = ksl_product_sum((double)D->m02, (double)R->m20, Do_00c);
+  const double Do_01a = (double)D->m00 * (double)R->m01,
+      Do_01c = ksl_product_sum((double)D->m01, (double)R->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m21, Do_01c);
+  const double Do_02a = (double)D->m00 * (double)R->m02,
+      Do_02c = ksl_product_sum((double)D->m01, (double)R->m12, Do_02a),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, Do_02c);
+  const double Do_10a = (double)D->m10 * (double)R->m00,
+      Do_10c = ksl_product_sum((double)D->m11, (double)R->m10, Do_10a),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m20, Do_10c);
+  const double Do_11a = (double)D->m10 * (double)R->m01,
+      Do_11c = ksl_product_sum((double)D->m11, (double)R->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m21, Do_11c);
+  const double Do_12a = (double)D->m10 * (double)R->m02,
+      Do_12c = ksl_product_sum((double)D->m11, (double)R->m12, Do_12a),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, Do_12c);
+  const double Do_20a = (double)D->m20 * (double)R->m00,
+      Do_20c = ksl_product_sum((double)D->m21, (double)R->m10, Do_20a),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m20, Do_20c);
+  const double Do_21a = (double)D->m20 * (double)R->m01,
+      Do_21c = ksl_product_sum((double)D->m21, (double)R->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m21, Do_21c);
+  const double Do_22a = (double)D->m20 * (double)R->m02,
+      Do_22c = ksl_product_sum((double)D->m21, (double)R->m12, Do_22a),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -3102,24 +3126,33 @@ static inline void ksl_product_ddrf_accurate(const ksl_SE3f_t *D, const ksl_mat3
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)R->m00, Do_00b = (double)D->m01 * (double)R->m01,
-      Do_00c = Do_00a + Do_00b, Do_00d = (double)D->m02 * (double)R->m02, Do_00 = Do_00c + Do_00d;
-  const double Do_01a = (double)D->m00 * (double)R->m10, Do_01b = (double)D->m01 * (double)R->m11,
-      Do_01c = Do_01a + Do_01b, Do_01d = (double)D->m02 * (double)R->m12, Do_01 = Do_01c + Do_01d;
-  const double Do_02a = (double)D->m00 * (double)R->m20, Do_02b = (double)D->m01 * (double)R->m21,
-      Do_02c = Do_02a + Do_02b, Do_02d = (double)D->m02 * (double)R->m22, Do_02 = Do_02c + Do_02d;
-  const double Do_10a = (double)D->m10 * (double)R->m00, Do_10b = (double)D->m11 * (double)R->m01,
-      Do_10c = Do_10a + Do_10b, Do_10d = (double)D->m12 * (double)R->m02, Do_10 = Do_10c + Do_10d;
-  const double Do_11a = (double)D->m10 * (double)R->m10, Do_11b = (double)D->m11 * (double)R->m11,
-      Do_11c = Do_11a + Do_11b, Do_11d = (double)D->m12 * (double)R->m12, Do_11 = Do_11c + Do_11d;
-  const double Do_12a = (double)D->m10 * (double)R->m20, Do_12b = (double)D->m11 * (double)R->m21,
-      Do_12c = Do_12a + Do_12b, Do_12d = (double)D->m12 * (double)R->m22, Do_12 = Do_12c + Do_12d;
-  const double Do_20a = (double)D->m20 * (double)R->m00, Do_20b = (double)D->m21 * (double)R->m01,
-      Do_20c = Do_20a + Do_20b, Do_20d = (double)D->m22 * (double)R->m02, Do_20 = Do_20c + Do_20d;
-  const double Do_21a = (double)D->m20 * (double)R->m10, Do_21b = (double)D->m21 * (double)R->m11,
-      Do_21c = Do_21a + Do_21b, Do_21d = (double)D->m22 * (double)R->m12, Do_21 = Do_21c + Do_21d;
-  const double Do_22a = (double)D->m20 * (double)R->m20, Do_22b = (double)D->m21 * (double)R->m21,
-      Do_22c = Do_22a + Do_22b, Do_22d = (double)D->m22 * (double)R->m22, Do_22 = Do_22c + Do_22d;
+  const double Do_00a = (double)D->m00 * (double)R->m00,
+      Do_00c = ksl_product_sum((double)D->m01, (double)R->m01, Do_00a),
+      Do_00 = ksl_product_sum((double)D->m02, (double)R->m02, Do_00c);
+  const double Do_01a = (double)D->m00 * (double)R->m10,
+      Do_01c = ksl_product_sum((double)D->m01, (double)R->m11, Do_01a),
+      Do_01 = ksl_product_sum((double)D->m02, (double)R->m12, Do_01c);
+  const double Do_02a = (double)D->m00 * (double)R->m20,
+      Do_02c = ksl_product_sum((double)D->m01, (double)R->m21, Do_02a),
+      Do_02 = ksl_product_sum((double)D->m02, (double)R->m22, Do_02c);
+  const double Do_10a = (double)D->m10 * (double)R->m00,
+      Do_10c = ksl_product_sum((double)D->m11, (double)R->m01, Do_10a),
+      Do_10 = ksl_product_sum((double)D->m12, (double)R->m02, Do_10c);
+  const double Do_11a = (double)D->m10 * (double)R->m10,
+      Do_11c = ksl_product_sum((double)D->m11, (double)R->m11, Do_11a),
+      Do_11 = ksl_product_sum((double)D->m12, (double)R->m12, Do_11c);
+  const double Do_12a = (double)D->m10 * (double)R->m20,
+      Do_12c = ksl_product_sum((double)D->m11, (double)R->m21, Do_12a),
+      Do_12 = ksl_product_sum((double)D->m12, (double)R->m22, Do_12c);
+  const double Do_20a = (double)D->m20 * (double)R->m00,
+      Do_20c = ksl_product_sum((double)D->m21, (double)R->m01, Do_20a),
+      Do_20 = ksl_product_sum((double)D->m22, (double)R->m02, Do_20c);
+  const double Do_21a = (double)D->m20 * (double)R->m10,
+      Do_21c = ksl_product_sum((double)D->m21, (double)R->m11, Do_21a),
+      Do_21 = ksl_product_sum((double)D->m22, (double)R->m12, Do_21c);
+  const double Do_22a = (double)D->m20 * (double)R->m20,
+      Do_22c = ksl_product_sum((double)D->m21, (double)R->m21, Do_22a),
+      Do_22 = ksl_product_sum((double)D->m22, (double)R->m22, Do_22c);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -3144,14 +3177,17 @@ static inline void ksl_product_ddrinvf_accurate(const ksl_SE3f_t *D, const ksl_m
      barring over- and underflow. */
 static inline void ksl_product_ddtf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)t->x, Do_03b = (double)D->m01 * (double)t->y,
-      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m02 * (double)t->z, Do_03e = Do_03c + Do_03d,
+  const double Do_03a = (double)D->m00 * (double)t->x,
+      Do_03c = ksl_product_sum((double)D->m01, (double)t->y, Do_03a),
+      Do_03e = ksl_product_sum((double)D->m02, (double)t->z, Do_03c),
       Do_03 = Do_03e + (double)D->m03;
-  const double Do_13a = (double)D->m10 * (double)t->x, Do_13b = (double)D->m11 * (double)t->y,
-      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m12 * (double)t->z, Do_13e = Do_13c + Do_13d,
+  const double Do_13a = (double)D->m10 * (double)t->x,
+      Do_13c = ksl_product_sum((double)D->m11, (double)t->y, Do_13a),
+      Do_13e = ksl_product_sum((double)D->m12, (double)t->z, Do_13c),
       Do_13 = Do_13e + (double)D->m13;
-  const double Do_23a = (double)D->m20 * (double)t->x, Do_23b = (double)D->m21 * (double)t->y,
-      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)t->z, Do_23e = Do_23c + Do_23d,
+  const double Do_23a = (double)D->m20 * (double)t->x,
+      Do_23c = ksl_product_sum((double)D->m21, (double)t->y, Do_23a),
+      Do_23e = ksl_product_sum((double)D->m22, (double)t->z, Do_23c),
       Do_23 = Do_23e + (double)D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -3183,14 +3219,17 @@ static inline void ksl_product_ddtf_accurate(const ksl_SE3f_t *D, const ksl_vec3
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *t,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)t->x, Do_03b = (double)D->m01 * (double)t->y,
-      Do_03c = Do_03a + Do_03b, Do_03d = (double)D->m02 * (double)t->z, Do_03e = Do_03c + Do_03d,
+  const double Do_03a = (double)D->m00 * (double)t->x,
+      Do_03c = ksl_product_sum((double)D->m01, (double)t->y, Do_03a),
+      Do_03e = ksl_product_sum((double)D->m02, (double)t->z, Do_03c),
       Do_03 = (double)D->m03 - Do_03e;
-  const double Do_13a = (double)D->m10 * (double)t->x, Do_13b = (double)D->m11 * (double)t->y,
-      Do_13c = Do_13a + Do_13b, Do_13d = (double)D->m12 * (double)t->z, Do_13e = Do_13c + Do_13d,
+  const double Do_13a = (double)D->m10 * (double)t->x,
+      Do_13c = ksl_product_sum((double)D->m11, (double)t->y, Do_13a),
+      Do_13e = ksl_product_sum((double)D->m12, (double)t->z, Do_13c),
       Do_13 = (double)D->m13 - Do_13e;
-  const double Do_23a = (double)D->m20 * (double)t->x, Do_23b = (double)D->m21 * (double)t->y,
-      Do_23c = Do_23a + Do_23b, Do_23d = (double)D->m22 * (double)t->z, Do_23e = Do_23c + Do_23d,
+  const double Do_23a = (double)D->m20 * (double)t->x,
+      Do_23c = ksl_product_sum((double)D->m21, (double)t->y, Do_23a),
+      Do_23e = ksl_product_sum((double)D->m22, (double)t->z, Do_23c),
       Do_23 = (double)D->m23 - Do_23e;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
@@ -3276,18 +3315,18 @@ static inline void ksl_product_drvtxf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m02 * (double)dc[0],
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = (double)R->m02 * (double)dc[1], Ro_02b = (double)R->m01 * (double)dc[0],
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m12 * (double)dc[0],
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = (double)R->m12 * (double)dc[1], Ro_12b = (double)R->m11 * (double)dc[0],
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m22 * (double)dc[0],
-      Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = (double)R->m22 * (double)dc[1], Ro_22b = (double)R->m21 * (double)dc[0],
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum((double)R->m02, (double)dc[0], Ro_01a);
+  const double Ro_02a = (double)R->m02 * (double)dc[1],
+      Ro_02 = ksl_product_sum(-(double)R->m01, (double)dc[0], Ro_02a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum((double)R->m12, (double)dc[0], Ro_11a);
+  const double Ro_12a = (double)R->m12 * (double)dc[1],
+      Ro_12 = ksl_product_sum(-(double)R->m11, (double)dc[0], Ro_12a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum((double)R->m22, (double)dc[0], Ro_21a);
+  const double Ro_22a = (double)R->m22 * (double)dc[1],
+      Ro_22 = ksl_product_sum(-(double)R->m21, (double)dc[0], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -3309,18 +3348,18 @@ static inline void ksl_product_drdrxf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m02 * (double)dc[0],
-      Do_01 = Do_01a + Do_01b;
-  const double Do_02a = (double)D->m02 * (double)dc[1], Do_02b = (double)D->m01 * (double)dc[0],
-      Do_02 = Do_02a - Do_02b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m12 * (double)dc[0],
-      Do_11 = Do_11a + Do_11b;
-  const double Do_12a = (double)D->m12 * (double)dc[1], Do_12b = (double)D->m11 * (double)dc[0],
-      Do_12 = Do_12a - Do_12b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m22 * (double)dc[0],
-      Do_21 = Do_21a + Do_21b;
-  const double Do_22a = (double)D->m22 * (double)dc[1], Do_22b = (double)D->m21 * (double)dc[0],
-      Do_22 = Do_22a - Do_22b;
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum((double)D->m02, (double)dc[0], Do_01a);
+  const double Do_02a = (double)D->m02 * (double)dc[1],
+      Do_02 = ksl_product_sum(-(double)D->m01, (double)dc[0], Do_02a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum((double)D->m12, (double)dc[0], Do_11a);
+  const double Do_12a = (double)D->m12 * (double)dc[1],
+      Do_12 = ksl_product_sum(-(double)D->m11, (double)dc[0], Do_12a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum((double)D->m22, (double)dc[0], Do_21a);
+  const double Do_22a = (double)D->m22 * (double)dc[1],
+      Do_22 = ksl_product_sum(-(double)D->m21, (double)dc[0], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -3347,9 +3386,9 @@ static inline void ksl_product_ddrxf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m10 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m20 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m00, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m10, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3395,18 +3434,18 @@ static inline void ksl_product_drvtxinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m02 * (double)dc[0],
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = (double)R->m01 * (double)dc[0], Ro_02b = (double)R->m02 * (double)dc[1],
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m12 * (double)dc[0],
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = (double)R->m11 * (double)dc[0], Ro_12b = (double)R->m12 * (double)dc[1],
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m22 * (double)dc[0],
-      Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = (double)R->m21 * (double)dc[0], Ro_22b = (double)R->m22 * (double)dc[1],
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum(-(double)R->m02, (double)dc[0], Ro_01a);
+  const double Ro_02a = (double)R->m01 * (double)dc[0],
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], Ro_02a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum(-(double)R->m12, (double)dc[0], Ro_11a);
+  const double Ro_12a = (double)R->m11 * (double)dc[0],
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], Ro_12a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum(-(double)R->m22, (double)dc[0], Ro_21a);
+  const double Ro_22a = (double)R->m21 * (double)dc[0],
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], Ro_22a);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -3428,18 +3467,18 @@ static inline void ksl_product_drdrxinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m02 * (double)dc[0],
-      Do_01 = Do_01a - Do_01b;
-  const double Do_02a = (double)D->m01 * (double)dc[0], Do_02b = (double)D->m02 * (double)dc[1],
-      Do_02 = Do_02a + Do_02b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m12 * (double)dc[0],
-      Do_11 = Do_11a - Do_11b;
-  const double Do_12a = (double)D->m11 * (double)dc[0], Do_12b = (double)D->m12 * (double)dc[1],
-      Do_12 = Do_12a + Do_12b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m22 * (double)dc[0],
-      Do_21 = Do_21a - Do_21b;
-  const double Do_22a = (double)D->m21 * (double)dc[0], Do_22b = (double)D->m22 * (double)dc[1],
-      Do_22 = Do_22a + Do_22b;
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum(-(double)D->m02, (double)dc[0], Do_01a);
+  const double Do_02a = (double)D->m01 * (double)dc[0],
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], Do_02a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum(-(double)D->m12, (double)dc[0], Do_11a);
+  const double Do_12a = (double)D->m11 * (double)dc[0],
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], Do_12a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum(-(double)D->m22, (double)dc[0], Do_21a);
+  const double Do_22a = (double)D->m21 * (double)dc[0],
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], Do_22a);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -3467,9 +3506,9 @@ static inline void ksl_product_ddrxinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m10 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m20 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m00, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m10, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m20, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3515,18 +3554,18 @@ static inline void ksl_product_drvtyf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m02 * (double)dc[0],
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = (double)R->m00 * (double)dc[0], Ro_02b = (double)R->m02 * (double)dc[1],
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m12 * (double)dc[0],
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = (double)R->m10 * (double)dc[0], Ro_12b = (double)R->m12 * (double)dc[1],
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m22 * (double)dc[0],
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = (double)R->m20 * (double)dc[0], Ro_22b = (double)R->m22 * (double)dc[1],
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum(-(double)R->m02, (double)dc[0], Ro_00a);
+  const double Ro_02a = (double)R->m00 * (double)dc[0],
+      Ro_02 = ksl_product_sum((double)R->m02, (double)dc[1], Ro_02a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum(-(double)R->m12, (double)dc[0], Ro_10a);
+  const double Ro_12a = (double)R->m10 * (double)dc[0],
+      Ro_12 = ksl_product_sum((double)R->m12, (double)dc[1], Ro_12a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum(-(double)R->m22, (double)dc[0], Ro_20a);
+  const double Ro_22a = (double)R->m20 * (double)dc[0],
+      Ro_22 = ksl_product_sum((double)R->m22, (double)dc[1], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3548,18 +3587,18 @@ static inline void ksl_product_drdryf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m02 * (double)dc[0],
-      Do_00 = Do_00a - Do_00b;
-  const double Do_02a = (double)D->m00 * (double)dc[0], Do_02b = (double)D->m02 * (double)dc[1],
-      Do_02 = Do_02a + Do_02b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m12 * (double)dc[0],
-      Do_10 = Do_10a - Do_10b;
-  const double Do_12a = (double)D->m10 * (double)dc[0], Do_12b = (double)D->m12 * (double)dc[1],
-      Do_12 = Do_12a + Do_12b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m22 * (double)dc[0],
-      Do_20 = Do_20a - Do_20b;
-  const double Do_22a = (double)D->m20 * (double)dc[0], Do_22b = (double)D->m22 * (double)dc[1],
-      Do_22 = Do_22a + Do_22b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum(-(double)D->m02, (double)dc[0], Do_00a);
+  const double Do_02a = (double)D->m00 * (double)dc[0],
+      Do_02 = ksl_product_sum((double)D->m02, (double)dc[1], Do_02a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum(-(double)D->m12, (double)dc[0], Do_10a);
+  const double Do_12a = (double)D->m10 * (double)dc[0],
+      Do_12 = ksl_product_sum((double)D->m12, (double)dc[1], Do_12a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum(-(double)D->m22, (double)dc[0], Do_20a);
+  const double Do_22a = (double)D->m20 * (double)dc[0],
+      Do_22 = ksl_product_sum((double)D->m22, (double)dc[1], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3586,9 +3625,9 @@ static inline void ksl_product_ddryf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m01 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m11 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m21 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m01, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m11, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3634,18 +3673,18 @@ static inline void ksl_product_drvtyinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m02 * (double)dc[0],
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = (double)R->m02 * (double)dc[1], Ro_02b = (double)R->m00 * (double)dc[0],
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m12 * (double)dc[0],
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = (double)R->m12 * (double)dc[1], Ro_12b = (double)R->m10 * (double)dc[0],
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m22 * (double)dc[0],
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = (double)R->m22 * (double)dc[1], Ro_22b = (double)R->m20 * (double)dc[0],
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum((double)R->m02, (double)dc[0], Ro_00a);
+  const double Ro_02a = (double)R->m02 * (double)dc[1],
+      Ro_02 = ksl_product_sum(-(double)R->m00, (double)dc[0], Ro_02a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum((double)R->m12, (double)dc[0], Ro_10a);
+  const double Ro_12a = (double)R->m12 * (double)dc[1],
+      Ro_12 = ksl_product_sum(-(double)R->m10, (double)dc[0], Ro_12a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum((double)R->m22, (double)dc[0], Ro_20a);
+  const double Ro_22a = (double)R->m22 * (double)dc[1],
+      Ro_22 = ksl_product_sum(-(double)R->m20, (double)dc[0], Ro_22a);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -3667,18 +3706,18 @@ static inline void ksl_product_drdryinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m02 * (double)dc[0],
-      Do_00 = Do_00a + Do_00b;
-  const double Do_02a = (double)D->m02 * (double)dc[1], Do_02b = (double)D->m00 * (double)dc[0],
-      Do_02 = Do_02a - Do_02b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m12 * (double)dc[0],
-      Do_10 = Do_10a + Do_10b;
-  const double Do_12a = (double)D->m12 * (double)dc[1], Do_12b = (double)D->m10 * (double)dc[0],
-      Do_12 = Do_12a - Do_12b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m22 * (double)dc[0],
-      Do_20 = Do_20a + Do_20b;
-  const double Do_22a = (double)D->m22 * (double)dc[1], Do_22b = (double)D->m20 * (double)dc[0],
-      Do_22 = Do_22a - Do_22b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum((double)D->m02, (double)dc[0], Do_00a);
+  const double Do_02a = (double)D->m02 * (double)dc[1],
+      Do_02 = ksl_product_sum(-(double)D->m00, (double)dc[0], Do_02a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum((double)D->m12, (double)dc[0], Do_10a);
+  const double Do_12a = (double)D->m12 * (double)dc[1],
+      Do_12 = ksl_product_sum(-(double)D->m10, (double)dc[0], Do_12a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum((double)D->m22, (double)dc[0], Do_20a);
+  const double Do_22a = (double)D->m22 * (double)dc[1],
+      Do_22 = ksl_product_sum(-(double)D->m20, (double)dc[0], Do_22a);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -3706,9 +3745,9 @@ static inline void ksl_product_ddryinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m01 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m11 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m21 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m01, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m11, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m21, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3754,18 +3793,18 @@ static inline void ksl_product_drvtzf_accurate(const ksl_mat3x3f_t *R, const flo
      over- and underflow. */
 static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m01 * (double)dc[0],
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = (double)R->m01 * (double)dc[1], Ro_01b = (double)R->m00 * (double)dc[0],
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m11 * (double)dc[0],
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = (double)R->m11 * (double)dc[1], Ro_11b = (double)R->m10 * (double)dc[0],
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m21 * (double)dc[0],
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = (double)R->m21 * (double)dc[1], Ro_21b = (double)R->m20 * (double)dc[0],
-      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum((double)R->m01, (double)dc[0], Ro_00a);
+  const double Ro_01a = (double)R->m01 * (double)dc[1],
+      Ro_01 = ksl_product_sum(-(double)R->m00, (double)dc[0], Ro_01a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum((double)R->m11, (double)dc[0], Ro_10a);
+  const double Ro_11a = (double)R->m11 * (double)dc[1],
+      Ro_11 = ksl_product_sum(-(double)R->m10, (double)dc[0], Ro_11a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum((double)R->m21, (double)dc[0], Ro_20a);
+  const double Ro_21a = (double)R->m21 * (double)dc[1],
+      Ro_21 = ksl_product_sum(-(double)R->m20, (double)dc[0], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3787,18 +3826,18 @@ static inline void ksl_product_drdrzf_accurate(const ksl_mat3x3f_t *R, const flo
      barring over- and underflow. */
 static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m01 * (double)dc[0],
-      Do_00 = Do_00a + Do_00b;
-  const double Do_01a = (double)D->m01 * (double)dc[1], Do_01b = (double)D->m00 * (double)dc[0],
-      Do_01 = Do_01a - Do_01b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m11 * (double)dc[0],
-      Do_10 = Do_10a + Do_10b;
-  const double Do_11a = (double)D->m11 * (double)dc[1], Do_11b = (double)D->m10 * (double)dc[0],
-      Do_11 = Do_11a - Do_11b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m21 * (double)dc[0],
-      Do_20 = Do_20a + Do_20b;
-  const double Do_21a = (double)D->m21 * (double)dc[1], Do_21b = (double)D->m20 * (double)dc[0],
-      Do_21 = Do_21a - Do_21b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum((double)D->m01, (double)dc[0], Do_00a);
+  const double Do_01a = (double)D->m01 * (double)dc[1],
+      Do_01 = ksl_product_sum(-(double)D->m00, (double)dc[0], Do_01a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum((double)D->m11, (double)dc[0], Do_10a);
+  const double Do_11a = (double)D->m11 * (double)dc[1],
+      Do_11 = ksl_product_sum(-(double)D->m10, (double)dc[0], Do_11a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum((double)D->m21, (double)dc[0], Do_20a);
+  const double Do_21a = (double)D->m21 * (double)dc[1],
+      Do_21 = ksl_product_sum(-(double)D->m20, (double)dc[0], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3825,9 +3864,9 @@ static inline void ksl_product_ddrzf_accurate(const ksl_SE3f_t *D, const float d
    Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf_accurate(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m02 * (double)k, Do_03 = Do_03a + (double)D->m03;
-  const double Do_13a = (double)D->m12 * (double)k, Do_13 = Do_13a + (double)D->m13;
-  const double Do_23a = (double)D->m22 * (double)k, Do_23 = Do_23a + (double)D->m23;
+  const double Do_03 = ksl_product_sum((double)D->m02, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum((double)D->m12, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum((double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3873,18 +3912,18 @@ static inline void ksl_product_drvtzinvf_accurate(const ksl_mat3x3f_t *R, const 
      over- and underflow. */
 static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const double Ro_00a = (double)R->m00 * (double)dc[1], Ro_00b = (double)R->m01 * (double)dc[0],
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = (double)R->m00 * (double)dc[0], Ro_01b = (double)R->m01 * (double)dc[1],
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = (double)R->m10 * (double)dc[1], Ro_10b = (double)R->m11 * (double)dc[0],
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = (double)R->m10 * (double)dc[0], Ro_11b = (double)R->m11 * (double)dc[1],
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = (double)R->m20 * (double)dc[1], Ro_20b = (double)R->m21 * (double)dc[0],
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = (double)R->m20 * (double)dc[0], Ro_21b = (double)R->m21 * (double)dc[1],
-      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00a = (double)R->m00 * (double)dc[1],
+      Ro_00 = ksl_product_sum(-(double)R->m01, (double)dc[0], Ro_00a);
+  const double Ro_01a = (double)R->m00 * (double)dc[0],
+      Ro_01 = ksl_product_sum((double)R->m01, (double)dc[1], Ro_01a);
+  const double Ro_10a = (double)R->m10 * (double)dc[1],
+      Ro_10 = ksl_product_sum(-(double)R->m11, (double)dc[0], Ro_10a);
+  const double Ro_11a = (double)R->m10 * (double)dc[0],
+      Ro_11 = ksl_product_sum((double)R->m11, (double)dc[1], Ro_11a);
+  const double Ro_20a = (double)R->m20 * (double)dc[1],
+      Ro_20 = ksl_product_sum(-(double)R->m21, (double)dc[0], Ro_20a);
+  const double Ro_21a = (double)R->m20 * (double)dc[0],
+      Ro_21 = ksl_product_sum((double)R->m21, (double)dc[1], Ro_21a);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -3906,18 +3945,18 @@ static inline void ksl_product_drdrzinvf_accurate(const ksl_mat3x3f_t *R, const 
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const float dc[2],
     ksl_SE3f_t *Do) {
-  const double Do_00a = (double)D->m00 * (double)dc[1], Do_00b = (double)D->m01 * (double)dc[0],
-      Do_00 = Do_00a - Do_00b;
-  const double Do_01a = (double)D->m00 * (double)dc[0], Do_01b = (double)D->m01 * (double)dc[1],
-      Do_01 = Do_01a + Do_01b;
-  const double Do_10a = (double)D->m10 * (double)dc[1], Do_10b = (double)D->m11 * (double)dc[0],
-      Do_10 = Do_10a - Do_10b;
-  const double Do_11a = (double)D->m10 * (double)dc[0], Do_11b = (double)D->m11 * (double)dc[1],
-      Do_11 = Do_11a + Do_11b;
-  const double Do_20a = (double)D->m20 * (double)dc[1], Do_20b = (double)D->m21 * (double)dc[0],
-      Do_20 = Do_20a - Do_20b;
-  const double Do_21a = (double)D->m20 * (double)dc[0], Do_21b = (double)D->m21 * (double)dc[1],
-      Do_21 = Do_21a + Do_21b;
+  const double Do_00a = (double)D->m00 * (double)dc[1],
+      Do_00 = ksl_product_sum(-(double)D->m01, (double)dc[0], Do_00a);
+  const double Do_01a = (double)D->m00 * (double)dc[0],
+      Do_01 = ksl_product_sum((double)D->m01, (double)dc[1], Do_01a);
+  const double Do_10a = (double)D->m10 * (double)dc[1],
+      Do_10 = ksl_product_sum(-(double)D->m11, (double)dc[0], Do_10a);
+  const double Do_11a = (double)D->m10 * (double)dc[0],
+      Do_11 = ksl_product_sum((double)D->m11, (double)dc[1], Do_11a);
+  const double Do_20a = (double)D->m20 * (double)dc[1],
+      Do_20 = ksl_product_sum(-(double)D->m21, (double)dc[0], Do_20a);
+  const double Do_21a = (double)D->m20 * (double)dc[0],
+      Do_21 = ksl_product_sum((double)D->m21, (double)dc[1], Do_21a);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -3945,9 +3984,9 @@ static inline void ksl_product_ddrzinvf_accurate(const ksl_SE3f_t *D, const floa
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf_accurate(const ksl_SE3f_t *D, const float k,
     ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m02 * (double)k, Do_03 = (double)D->m03 - Do_03a;
-  const double Do_13a = (double)D->m12 * (double)k, Do_13 = (double)D->m13 - Do_13a;
-  const double Do_23a = (double)D->m22 * (double)k, Do_23 = (double)D->m23 - Do_23a;
+  const double Do_03 = ksl_product_sum(-(double)D->m02, (double)k, (double)D->m03);
+  const double Do_13 = ksl_product_sum(-(double)D->m12, (double)k, (double)D->m13);
+  const double Do_23 = ksl_product_sum(-(double)D->m22, (double)k, (double)D->m23);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;

@@ -2862,10 +2862,10 @@ static inline void ksl_quaternionf_scale_accurate(ksl_quaternionf_t *self, const
      over- and underflow. */
 static inline void ksl_axpy_qqf_accurate(const float a, const ksl_quaternionf_t *x,
     ksl_quaternionf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
-  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
-  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
-  const double y_3_new_a = (double)a * (double)x->w, y_3_new = y_3_new_a + (double)y->w;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->w, (double)y->w);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -2992,12 +2992,12 @@ static inline void ksl_quaternionf_normalized_accurate(const ksl_quaternionf_t *
      over- and underflow. */
 static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0a = (double)q->y * (double)v->z, c_0b = (double)q->z * (double)v->y,
-      c_0 = c_0a - c_0b;
-  const double c_1a = (double)q->z * (double)v->x, c_1b = (double)q->x * (double)v->z,
-      c_1 = c_1a - c_1b;
-  const double c_2a = (double)q->x * (double)v->y, c_2b = (double)q->y * (double)v->x,
-      c_2 = c_2a - c_2b;
+  const double c_0a = (double)q->y * (double)v->z,
+      c_0 = ksl_product_sum(-(double)q->z, (double)v->y, c_0a);
+  const double c_1a = (double)q->z * (double)v->x,
+      c_1 = ksl_product_sum(-(double)q->x, (double)v->z, c_1a);
+  const double c_2a = (double)q->x * (double)v->y,
+      c_2 = ksl_product_sum(-(double)q->y, (double)v->x, c_2a);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
@@ -3022,12 +3022,12 @@ static inline void ksl_rotate_qvf_accurate(const ksl_quaternionf_t *q, const ksl
      over- and underflow. */
 static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double c_0a = (double)q->z * (double)v->y, c_0b = (double)q->y * (double)v->z,
-      c_0 = c_0a - c_0b;
-  const double c_1a = (double)q->x * (double)v->z, c_1b = (double)q->z * (double)v->x,
-      c_1 = c_1a - c_1b;
-  const double c_2a = (double)q->y * (double)v->x, c_2b = (double)q->x * (double)v->y,
-      c_2 = c_2a - c_2b;
+  const double c_0a = (double)q->z * (double)v->y,
+      c_0 = ksl_product_sum(-(double)q->y, (double)v->z, c_0a);
+  const double c_1a = (double)q->x * (double)v->z,
+      c_1 = ksl_product_sum(-(double)q->z, (double)v->x, c_1a);
+  const double c_2a = (double)q->y * (double)v->x,
+      c_2 = ksl_product_sum(-(double)q->x, (double)v->y, c_2a);
   const double t_0 = KSL_MUL(2.0, c_0);
   const double t_1 = KSL_MUL(2.0, c_1);
   const double t_2 = KSL_MUL(2.0, c_2);
@@ -3052,18 +3052,22 @@ static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const
      over- and underflow. */
 static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->y * (double)q2i->z,
-      qo_0c = (double)q1i->z * (double)q2i->y, qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e + qo_0f;
-  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c + qo_1d,
-      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e + qo_1f;
-  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c + qo_2d,
-      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e + qo_2f;
-  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0b = (double)q1i->y * (double)q2i->z,
+      qo_0d = ksl_product_sum(-(double)q1i->z, (double)q2i->y, qo_0b),
+      qo_0e = ksl_product_sum((double)q1i->x, (double)q2i->w, qo_0d),
+      qo_0 = ksl_product_sum((double)q1i->w, (double)q2i->x, qo_0e);
+  const double qo_1a = (double)q1i->z * (double)q2i->x,
+      qo_1c = ksl_product_sum(-(double)q1i->x, (double)q2i->z, qo_1a),
+      qo_1e = ksl_product_sum((double)q1i->y, (double)q2i->w, qo_1c),
+      qo_1 = ksl_product_sum((double)q1i->w, (double)q2i->y, qo_1e);
+  const double qo_2a = (double)q1i->x * (double)q2i->y,
+      qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
+      qo_2e = ksl_product_sum((double)q1i->z, (double)q2i->w, qo_2c),
+      qo_2 = ksl_product_sum((double)q1i->w, (double)q2i->z, qo_2e);
+  const double qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
+      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3077,18 +3081,22 @@ static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
      formula; barring over- and underflow. */
 static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->x * (double)q2i->w, qo_0b = (double)q1i->w * (double)q2i->x,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
-      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w,
-      qo_1e = (double)q1i->w * (double)q2i->y, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w,
-      qo_2e = (double)q1i->w * (double)q2i->z, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = (double)q1i->x * (double)q2i->w,
+      qo_0c = ksl_product_sum(-(double)q1i->w, (double)q2i->x, qo_0a),
+      qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0f = ksl_product_sum(-(double)q1i->y, (double)q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z,
+      qo_1c = ksl_product_sum(-(double)q1i->z, (double)q2i->x, qo_1a),
+      qo_1d = (double)q1i->y * (double)q2i->w,
+      qo_1f = ksl_product_sum(-(double)q1i->w, (double)q2i->y, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x,
+      qo_2c = ksl_product_sum(-(double)q1i->x, (double)q2i->y, qo_2a),
+      qo_2d = (double)q1i->z * (double)q2i->w,
+      qo_2f = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x,
+      qo_3c = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3a),
+      qo_3e = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3c),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3e);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3102,18 +3110,22 @@ static inline void ksl_product_qqconjf_accurate(const ksl_quaternionf_t *q1i,
      formula; barring over- and underflow. */
 static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->w * (double)q2i->x, qo_0b = (double)q1i->x * (double)q2i->w,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->z * (double)q2i->y,
-      qo_0e = (double)q1i->y * (double)q2i->z, qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = (double)q1i->x * (double)q2i->z, qo_1b = (double)q1i->z * (double)q2i->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->w * (double)q2i->y,
-      qo_1e = (double)q1i->y * (double)q2i->w, qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = (double)q1i->y * (double)q2i->x, qo_2b = (double)q1i->x * (double)q2i->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->w * (double)q2i->z,
-      qo_2e = (double)q1i->z * (double)q2i->w, qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = (double)q1i->x * (double)q2i->x, qo_3b = (double)q1i->y * (double)q2i->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)q1i->z * (double)q2i->z, qo_3e = qo_3c + qo_3d,
-      qo_3f = (double)q1i->w * (double)q2i->w, qo_3 = qo_3e + qo_3f;
+  const double qo_0a = (double)q1i->w * (double)q2i->x,
+      qo_0c = ksl_product_sum(-(double)q1i->x, (double)q2i->w, qo_0a),
+      qo_0d = (double)q1i->z * (double)q2i->y,
+      qo_0f = ksl_product_sum(-(double)q1i->y, (double)q2i->z, qo_0d), qo_0 = qo_0c + qo_0f;
+  const double qo_1a = (double)q1i->x * (double)q2i->z,
+      qo_1c = ksl_product_sum(-(double)q1i->z, (double)q2i->x, qo_1a),
+      qo_1d = (double)q1i->w * (double)q2i->y,
+      qo_1f = ksl_product_sum(-(double)q1i->y, (double)q2i->w, qo_1d), qo_1 = qo_1c + qo_1f;
+  const double qo_2a = (double)q1i->y * (double)q2i->x,
+      qo_2c = ksl_product_sum(-(double)q1i->x, (double)q2i->y, qo_2a),
+      qo_2d = (double)q1i->w * (double)q2i->z,
+      qo_2f = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2d), qo_2 = qo_2c + qo_2f;
+  const double qo_3a = (double)q1i->x * (double)q2i->x,
+      qo_3c = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3a),
+      qo_3e = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3c),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3e);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3127,18 +3139,22 @@ static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
      over- and underflow. */
 static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)q1i->y * (double)q2i->z, qo_0b = (double)q1i->z * (double)q2i->y,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)q1i->x * (double)q2i->w, qo_0e = qo_0c - qo_0d,
-      qo_0f = (double)q1i->w * (double)q2i->x, qo_0 = qo_0e - qo_0f;
-  const double qo_1a = (double)q1i->z * (double)q2i->x, qo_1b = (double)q1i->x * (double)q2i->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)q1i->y * (double)q2i->w, qo_1e = qo_1c - qo_1d,
-      qo_1f = (double)q1i->w * (double)q2i->y, qo_1 = qo_1e - qo_1f;
-  const double qo_2a = (double)q1i->x * (double)q2i->y, qo_2b = (double)q1i->y * (double)q2i->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)q1i->z * (double)q2i->w, qo_2e = qo_2c - qo_2d,
-      qo_2f = (double)q1i->w * (double)q2i->z, qo_2 = qo_2e - qo_2f;
-  const double qo_3a = (double)q1i->w * (double)q2i->w, qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3c = (double)q1i->y * (double)q2i->y, qo_3d = qo_3b + qo_3c,
-      qo_3e = (double)q1i->z * (double)q2i->z, qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0a = (double)q1i->y * (double)q2i->z,
+      qo_0c = ksl_product_sum(-(double)q1i->z, (double)q2i->y, qo_0a),
+      qo_0e = ksl_product_sum(-(double)q1i->x, (double)q2i->w, qo_0c),
+      qo_0 = ksl_product_sum(-(double)q1i->w, (double)q2i->x, qo_0e);
+  const double qo_1a = (double)q1i->z * (double)q2i->x,
+      qo_1c = ksl_product_sum(-(double)q1i->x, (double)q2i->z, qo_1a),
+      qo_1e = ksl_product_sum(-(double)q1i->y, (double)q2i->w, qo_1c),
+      qo_1 = ksl_product_sum(-(double)q1i->w, (double)q2i->y, qo_1e);
+  const double qo_2a = (double)q1i->x * (double)q2i->y,
+      qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
+      qo_2e = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2c),
+      qo_2 = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2e);
+  const double qo_3b = (double)q1i->x * (double)q2i->x,
+      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
+      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3152,14 +3168,14 @@ static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i
      over- and underflow. */
 static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->z,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3173,14 +3189,14 @@ static inline void ksl_product_qxqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[0] * (double)qi->x,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3194,14 +3210,14 @@ static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->w,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->y,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->x, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->x,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3215,14 +3231,14 @@ static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->x,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->w,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->z,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->y,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3236,14 +3252,14 @@ static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->y * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3257,14 +3273,14 @@ static inline void ksl_product_qqxf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->x * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3278,14 +3294,14 @@ static inline void ksl_product_qqxconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->w * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->z * (double)dci[0],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->x * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->w * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1c = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->x * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3299,14 +3315,14 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->w * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->z * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->y * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->x * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->z * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->y * (double)dci[0],
+      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3320,14 +3336,14 @@ static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->x,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3341,14 +3357,14 @@ static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->y,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3362,14 +3378,14 @@ static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->z,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->w,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->y, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->y,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3383,14 +3399,14 @@ static inline void ksl_product_qyconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->y,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->z,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->w,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->x,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3404,14 +3420,14 @@ static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2 = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3425,14 +3441,14 @@ static inline void ksl_product_qqyf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->x * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->y * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3446,14 +3462,14 @@ static inline void ksl_product_qqyconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->z * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->w * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->y * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->z * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->w * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->y * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3467,14 +3483,14 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->z * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->w * (double)dci[0],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->x * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->y * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1c = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->x * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3488,14 +3504,14 @@ static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[1] * (double)qi->x, qo_0b = (double)dci[0] * (double)qi->y,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[1] * (double)qi->x,
+      qo_0 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1 = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2 = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3509,14 +3525,14 @@ static inline void ksl_product_qzqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->z,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3530,14 +3546,14 @@ static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)dci[1] * (double)qi->y, qo_1b = (double)dci[0] * (double)qi->x,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[1] * (double)qi->z, qo_2b = (double)dci[0] * (double)qi->w,
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)dci[0] * (double)qi->z, qo_3b = (double)dci[1] * (double)qi->w,
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0 = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a);
+  const double qo_1a = (double)dci[1] * (double)qi->y,
+      qo_1 = ksl_product_sum(-(double)dci[0], (double)qi->x, qo_1a);
+  const double qo_2a = (double)dci[1] * (double)qi->z,
+      qo_2 = ksl_product_sum(-(double)dci[0], (double)qi->w, qo_2a);
+  const double qo_3a = (double)dci[0] * (double)qi->z,
+      qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3551,14 +3567,14 @@ static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0b = (double)dci[1] * (double)qi->x,
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1b = (double)dci[1] * (double)qi->y,
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2b = (double)dci[1] * (double)qi->z,
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)dci[1] * (double)qi->w, qo_3b = (double)dci[0] * (double)qi->z,
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)dci[0] * (double)qi->y,
+      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)dci[0] * (double)qi->x,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
+  const double qo_2a = (double)dci[0] * (double)qi->w,
+      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)dci[1] * (double)qi->w,
+      qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3572,14 +3588,14 @@ static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
      over- and underflow. */
 static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0 = qo_0a + qo_0b;
-  const double qo_1a = (double)qi->y * (double)dci[1], qo_1b = (double)qi->x * (double)dci[0],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2 = qo_2a + qo_2b;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->y * (double)dci[1],
+      qo_1 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3593,14 +3609,14 @@ static inline void ksl_product_qqzf_accurate(const ksl_quaternionf_t *qi, const 
      over- and underflow. */
 static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a + qo_1b;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_0a);
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1 = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_2a);
+  const double qo_3a = (double)qi->z * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3614,14 +3630,14 @@ static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1], qo_0b = (double)qi->y * (double)dci[0],
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1 = qo_1a - qo_1b;
-  const double qo_2a = (double)qi->w * (double)dci[0], qo_2b = (double)qi->z * (double)dci[1],
-      qo_2 = qo_2a - qo_2b;
-  const double qo_3a = (double)qi->z * (double)dci[0], qo_3b = (double)qi->w * (double)dci[1],
-      qo_3 = qo_3a + qo_3b;
+  const double qo_0a = (double)qi->x * (double)dci[1],
+      qo_0c = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
+  const double qo_2a = (double)qi->w * (double)dci[0],
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
+  const double qo_3a = (double)qi->z * (double)dci[0],
+      qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3635,14 +3651,14 @@ static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->y * (double)dci[0], qo_0b = (double)qi->x * (double)dci[1],
-      qo_0 = qo_0a - qo_0b;
-  const double qo_1a = (double)qi->x * (double)dci[0], qo_1b = (double)qi->y * (double)dci[1],
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->z * (double)dci[1], qo_2b = (double)qi->w * (double)dci[0],
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = (double)qi->w * (double)dci[1], qo_3b = (double)qi->z * (double)dci[0],
-      qo_3 = qo_3a - qo_3b;
+  const double qo_0a = (double)qi->y * (double)dci[0],
+      qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
+  const double qo_1a = (double)qi->x * (double)dci[0],
+      qo_1c = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a), qo_1 = -qo_1c;
+  const double qo_2a = (double)qi->z * (double)dci[1],
+      qo_2c = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_3a = (double)qi->w * (double)dci[1],
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3656,15 +3672,18 @@ static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi
      over- and underflow. */
 static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->y * (double)vi->z, qo_0b = (double)qi->z * (double)vi->y,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = (double)qi->z * (double)vi->x, qo_1b = (double)qi->x * (double)vi->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)qi->x * (double)vi->y, qo_2b = (double)qi->y * (double)vi->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3e = qo_3c + qo_3d,
-      qo_3 = -qo_3e;
+  const double qo_0a = (double)qi->y * (double)vi->z,
+      qo_0c = ksl_product_sum(-(double)qi->z, (double)vi->y, qo_0a),
+      qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, qo_0c);
+  const double qo_1a = (double)qi->z * (double)vi->x,
+      qo_1c = ksl_product_sum(-(double)qi->x, (double)vi->z, qo_1a),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, qo_1c);
+  const double qo_2a = (double)qi->x * (double)vi->y,
+      qo_2c = ksl_product_sum(-(double)qi->y, (double)vi->x, qo_2a),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
+  const double qo_3a = (double)qi->x * (double)vi->x,
+      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
+      qo_3e = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c), qo_3 = -qo_3e;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3678,14 +3697,18 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const k
      over- and underflow. */
 static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
     const ksl_vec3f_t *vi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->z * (double)vi->y, qo_0b = (double)qi->y * (double)vi->z,
-      qo_0c = qo_0a - qo_0b, qo_0d = (double)qi->w * (double)vi->x, qo_0 = qo_0c + qo_0d;
-  const double qo_1a = (double)qi->x * (double)vi->z, qo_1b = (double)qi->z * (double)vi->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)qi->w * (double)vi->y, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)qi->y * (double)vi->x, qo_2b = (double)qi->x * (double)vi->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)qi->w * (double)vi->z, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)qi->x * (double)vi->x, qo_3b = (double)qi->y * (double)vi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)qi->z * (double)vi->z, qo_3 = qo_3c + qo_3d;
+  const double qo_0a = (double)qi->z * (double)vi->y,
+      qo_0c = ksl_product_sum(-(double)qi->y, (double)vi->z, qo_0a),
+      qo_0 = ksl_product_sum((double)qi->w, (double)vi->x, qo_0c);
+  const double qo_1a = (double)qi->x * (double)vi->z,
+      qo_1c = ksl_product_sum(-(double)qi->z, (double)vi->x, qo_1a),
+      qo_1 = ksl_product_sum((double)qi->w, (double)vi->y, qo_1c);
+  const double qo_2a = (double)qi->y * (double)vi->x,
+      qo_2c = ksl_product_sum(-(double)qi->x, (double)vi->y, qo_2a),
+      qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
+  const double qo_3a = (double)qi->x * (double)vi->x,
+      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
+      qo_3 = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3699,15 +3722,18 @@ static inline void ksl_product_qconjvf_accurate(const ksl_quaternionf_t *qi,
      over- and underflow. */
 static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->y * (double)qi->z,
-      qo_0c = (double)vi->z * (double)qi->y, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = (double)vi->z * (double)qi->x, qo_1b = (double)vi->x * (double)qi->z,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)vi->x * (double)qi->y, qo_2b = (double)vi->y * (double)qi->x,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3e = qo_3c + qo_3d,
-      qo_3 = -qo_3e;
+  const double qo_0b = (double)vi->y * (double)qi->z,
+      qo_0d = ksl_product_sum(-(double)vi->z, (double)qi->y, qo_0b),
+      qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, qo_0d);
+  const double qo_1a = (double)vi->z * (double)qi->x,
+      qo_1c = ksl_product_sum(-(double)vi->x, (double)qi->z, qo_1a),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, qo_1c);
+  const double qo_2a = (double)vi->x * (double)qi->y,
+      qo_2c = ksl_product_sum(-(double)vi->y, (double)qi->x, qo_2a),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
+  const double qo_3a = (double)vi->x * (double)qi->x,
+      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
+      qo_3e = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c), qo_3 = -qo_3e;
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3721,14 +3747,18 @@ static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_qua
      over- and underflow. */
 static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)vi->x * (double)qi->w, qo_0b = (double)vi->z * (double)qi->y,
-      qo_0c = (double)vi->y * (double)qi->z, qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = (double)vi->x * (double)qi->z, qo_1b = (double)vi->z * (double)qi->x,
-      qo_1c = qo_1a - qo_1b, qo_1d = (double)vi->y * (double)qi->w, qo_1 = qo_1c + qo_1d;
-  const double qo_2a = (double)vi->y * (double)qi->x, qo_2b = (double)vi->x * (double)qi->y,
-      qo_2c = qo_2a - qo_2b, qo_2d = (double)vi->z * (double)qi->w, qo_2 = qo_2c + qo_2d;
-  const double qo_3a = (double)vi->x * (double)qi->x, qo_3b = (double)vi->y * (double)qi->y,
-      qo_3c = qo_3a + qo_3b, qo_3d = (double)vi->z * (double)qi->z, qo_3 = qo_3c + qo_3d;
+  const double qo_0b = (double)vi->z * (double)qi->y,
+      qo_0d = ksl_product_sum(-(double)vi->y, (double)qi->z, qo_0b),
+      qo_0 = ksl_product_sum((double)vi->x, (double)qi->w, qo_0d);
+  const double qo_1a = (double)vi->x * (double)qi->z,
+      qo_1c = ksl_product_sum(-(double)vi->z, (double)qi->x, qo_1a),
+      qo_1 = ksl_product_sum((double)vi->y, (double)qi->w, qo_1c);
+  const double qo_2a = (double)vi->y * (double)qi->x,
+      qo_2c = ksl_product_sum(-(double)vi->x, (double)qi->y, qo_2a),
+      qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
+  const double qo_3a = (double)vi->x * (double)qi->x,
+      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
+      qo_3 = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3742,9 +3772,10 @@ static inline void ksl_product_vqconjf_accurate(const ksl_vec3f_t *vi,
      over- and underflow. */
 static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i) {
-  const double dot_a = (double)q1i->x * (double)q2i->x, dot_b = (double)q1i->y * (double)q2i->y,
-      dot_c = dot_a + dot_b, dot_d = (double)q1i->z * (double)q2i->z, dot_e = dot_c + dot_d,
-      dot_f = (double)q1i->w * (double)q2i->w, dot = dot_e + dot_f;
+  const double dot_a = (double)q1i->x * (double)q2i->x,
+      dot_c = ksl_product_sum((double)q1i->y, (double)q2i->y, dot_a),
+      dot_e = ksl_product_sum((double)q1i->z, (double)q2i->z, dot_c),
+      dot = ksl_product_sum((double)q1i->w, (double)q2i->w, dot_e);
   return (float)dot;
 }
 
@@ -3818,10 +3849,11 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
   const double dqo_0a = 0.5 * (double)w->x, dqo_0b = KSL_MUL(dqo_0a, (double)qi->w),
       dqo_0c = 0.5 * (double)w->y, dqo_0d = KSL_MUL(dqo_0c, (double)qi->z),
       dqo_0e = 0.5 * (double)w->z, dqo_0f = KSL_MUL(dqo_0e, (double)qi->y),
-      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g, dqo_0i = (double)qi->x * (double)qi->x,
-      dqo_0j = 1.0 - dqo_0i, dqo_0k = (double)qi->y * (double)qi->y, dqo_0l = dqo_0j - dqo_0k,
-      dqo_0m = (double)qi->z * (double)qi->z, dqo_0n = dqo_0l - dqo_0m,
-      dqo_0o = (double)qi->w * (double)qi->w, dqo_0p = dqo_0n - dqo_0o,
+      dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g,
+      dqo_0j = ksl_product_sum(-(double)qi->x, (double)qi->x, 1.0),
+      dqo_0l = ksl_product_sum(-(double)qi->y, (double)qi->y, dqo_0j),
+      dqo_0n = ksl_product_sum(-(double)qi->z, (double)qi->z, dqo_0l),
+      dqo_0p = ksl_product_sum(-(double)qi->w, (double)qi->w, dqo_0n),
       dqo_0q = KSL_MUL((double)qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
   const double dqo_1a = KSL_MUL(dqo_0e, (double)qi->x), dqo_1b = KSL_MUL(dqo_0a, (double)qi->z),
       dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, (double)qi->w), dqo_1e = dqo_1c + dqo_1d,

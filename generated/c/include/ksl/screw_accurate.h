@@ -2172,12 +2172,12 @@ static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new_a = (double)a * (double)x->m0, y_0_new = y_0_new_a + (double)y->m0;
-  const double y_1_new_a = (double)a * (double)x->m1, y_1_new = y_1_new_a + (double)y->m1;
-  const double y_2_new_a = (double)a * (double)x->m2, y_2_new = y_2_new_a + (double)y->m2;
-  const double y_3_new_a = (double)a * (double)x->m3, y_3_new = y_3_new_a + (double)y->m3;
-  const double y_4_new_a = (double)a * (double)x->m4, y_4_new = y_4_new_a + (double)y->m4;
-  const double y_5_new_a = (double)a * (double)x->m5, y_5_new = y_5_new_a + (double)y->m5;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
+  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
+  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
+  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2484,12 +2484,12 @@ static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->y * (double)si->m5, so_0b = (double)t->z * (double)si->m4,
-      so_0c = so_0a - so_0b, so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->z * (double)si->m3, so_1b = (double)t->x * (double)si->m5,
-      so_1c = so_1a - so_1b, so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->x * (double)si->m4, so_2b = (double)t->y * (double)si->m3,
-      so_2c = so_2a - so_2b, so_2 = so_2c + (double)si->m2;
+  const double so_0a = (double)t->y * (double)si->m5,
+      so_0c = ksl_product_sum(-(double)t->z, (double)si->m4, so_0a), so_0 = so_0c + (double)si->m0;
+  const double so_1a = (double)t->z * (double)si->m3,
+      so_1c = ksl_product_sum(-(double)t->x, (double)si->m5, so_1a), so_1 = so_1c + (double)si->m1;
+  const double so_2a = (double)t->x * (double)si->m4,
+      so_2c = ksl_product_sum(-(double)t->y, (double)si->m3, so_2a), so_2 = so_2c + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -2508,12 +2508,12 @@ static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_sc
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4, so_0b = (double)t->y * (double)si->m5,
-      so_0c = so_0a - so_0b, so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5, so_1b = (double)t->z * (double)si->m3,
-      so_1c = so_1a - so_1b, so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3, so_2b = (double)t->x * (double)si->m4,
-      so_2c = so_2a - so_2b, so_2 = so_2c + (double)si->m2;
+  const double so_0a = (double)t->z * (double)si->m4,
+      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c + (double)si->m0;
+  const double so_1a = (double)t->x * (double)si->m5,
+      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c + (double)si->m1;
+  const double so_2a = (double)t->y * (double)si->m3,
+      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -2532,12 +2532,12 @@ static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4, so_0b = (double)t->y * (double)si->m5,
-      so_0c = so_0a - so_0b, so_0 = so_0c - (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5, so_1b = (double)t->z * (double)si->m3,
-      so_1c = so_1a - so_1b, so_1 = so_1c - (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3, so_2b = (double)t->x * (double)si->m4,
-      so_2c = so_2a - so_2b, so_2 = so_2c - (double)si->m2;
+  const double so_0a = (double)t->z * (double)si->m4,
+      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c - (double)si->m0;
+  const double so_1a = (double)t->x * (double)si->m5,
+      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c - (double)si->m1;
+  const double so_2a = (double)t->y * (double)si->m3,
+      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c - (double)si->m2;
   const double so_3 = -(double)si->m3;
   const double so_4 = -(double)si->m4;
   const double so_5 = -(double)si->m5;
@@ -2556,18 +2556,24 @@ static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl
      over- and underflow. */
 static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m01 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m02 * (double)si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = (double)R->m10 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m12 * (double)si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = (double)R->m20 * (double)si->m0, so_2b = (double)R->m21 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m01 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m02 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)R->m10 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m12 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)R->m20 * (double)si->m3, so_5b = (double)R->m21 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
+      so_0 = ksl_product_sum((double)R->m02, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m10 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1 = ksl_product_sum((double)R->m12, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m20 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)R->m02, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m10 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)R->m12, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m20 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2583,18 +2589,24 @@ static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_
      over- and underflow. */
 static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m10 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m20 * (double)si->m2, so_0 = so_0c + so_0d;
-  const double so_1a = (double)R->m01 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m21 * (double)si->m2, so_1 = so_1c + so_1d;
-  const double so_2a = (double)R->m02 * (double)si->m0, so_2b = (double)R->m12 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2 = so_2c + so_2d;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m10 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m20 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)R->m01 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m21 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)R->m02 * (double)si->m3, so_5b = (double)R->m12 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m10, (double)si->m1, so_0a),
+      so_0 = ksl_product_sum((double)R->m20, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m01 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1 = ksl_product_sum((double)R->m21, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m02 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m12, (double)si->m1, so_2a),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m10, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)R->m20, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m01 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)R->m21, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m02 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m12, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2610,24 +2622,24 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
      over- and underflow. */
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0b = (double)R->m01 * (double)si->m1,
-      so_0c = so_0a + so_0b, so_0d = (double)R->m02 * (double)si->m2, so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
-  const double so_1a = (double)R->m10 * (double)si->m0, so_1b = (double)R->m11 * (double)si->m1,
-      so_1c = so_1a + so_1b, so_1d = (double)R->m12 * (double)si->m2, so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
-  const double so_2a = (double)R->m20 * (double)si->m0, so_2b = (double)R->m21 * (double)si->m1,
-      so_2c = so_2a + so_2b, so_2d = (double)R->m22 * (double)si->m2, so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3b = (double)R->m01 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)R->m02 * (double)si->m5, so_3e = so_3c + so_3d,
-      so_3 = -so_3e;
-  const double so_4a = (double)R->m10 * (double)si->m3, so_4b = (double)R->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)R->m12 * (double)si->m5, so_4e = so_4c + so_4d,
-      so_4 = -so_4e;
-  const double so_5a = (double)R->m20 * (double)si->m3, so_5b = (double)R->m21 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)R->m22 * (double)si->m5, so_5e = so_5c + so_5d,
-      so_5 = -so_5e;
+  const double so_0a = (double)R->m00 * (double)si->m0,
+      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
+      so_0e = ksl_product_sum((double)R->m02, (double)si->m2, so_0c), so_0 = -so_0e;
+  const double so_1a = (double)R->m10 * (double)si->m0,
+      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
+      so_1e = ksl_product_sum((double)R->m12, (double)si->m2, so_1c), so_1 = -so_1e;
+  const double so_2a = (double)R->m20 * (double)si->m0,
+      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
+      so_2e = ksl_product_sum((double)R->m22, (double)si->m2, so_2c), so_2 = -so_2e;
+  const double so_3a = (double)R->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
+      so_3e = ksl_product_sum((double)R->m02, (double)si->m5, so_3c), so_3 = -so_3e;
+  const double so_4a = (double)R->m10 * (double)si->m3,
+      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
+      so_4e = ksl_product_sum((double)R->m12, (double)si->m5, so_4c), so_4 = -so_4e;
+  const double so_5a = (double)R->m20 * (double)si->m3,
+      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
+      so_5e = ksl_product_sum((double)R->m22, (double)si->m5, so_5c), so_5 = -so_5e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2643,18 +2655,24 @@ static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0, w_0b = (double)D->m01 * (double)si->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)si->m2, w_0 = w_0c + w_0d;
-  const double w_1a = (double)D->m10 * (double)si->m0, w_1b = (double)D->m11 * (double)si->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)si->m2, w_1 = w_1c + w_1d;
-  const double w_2a = (double)D->m20 * (double)si->m0, w_2b = (double)D->m21 * (double)si->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)si->m2, w_2 = w_2c + w_2d;
-  const double w_3a = (double)D->m00 * (double)si->m3, w_3b = (double)D->m01 * (double)si->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)si->m5, w_3 = w_3c + w_3d;
-  const double w_4a = (double)D->m10 * (double)si->m3, w_4b = (double)D->m11 * (double)si->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4 = w_4c + w_4d;
-  const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5 = w_5c + w_5d;
+  const double w_0a = (double)D->m00 * (double)si->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
+      w_0 = ksl_product_sum((double)D->m02, (double)si->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)si->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
+      w_1 = ksl_product_sum((double)D->m12, (double)si->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)si->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
+      w_2 = ksl_product_sum((double)D->m22, (double)si->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)si->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
+      w_3 = ksl_product_sum((double)D->m02, (double)si->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)si->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
+      w_4 = ksl_product_sum((double)D->m12, (double)si->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)si->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
+      w_5 = ksl_product_sum((double)D->m22, (double)si->m5, w_5c);
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -2676,24 +2694,27 @@ static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m23 * (double)si->m4, w_0b = (double)D->m13 * (double)si->m5,
-      w_0c = w_0a - w_0b, w_0 = w_0c + (double)si->m0;
-  const double w_1a = (double)D->m03 * (double)si->m5, w_1b = (double)D->m23 * (double)si->m3,
-      w_1c = w_1a - w_1b, w_1 = w_1c + (double)si->m1;
-  const double w_2a = (double)D->m13 * (double)si->m3, w_2b = (double)D->m03 * (double)si->m4,
-      w_2c = w_2a - w_2b, w_2 = w_2c + (double)si->m2;
+  const double w_0a = (double)D->m23 * (double)si->m4,
+      w_0c = ksl_product_sum(-(double)D->m13, (double)si->m5, w_0a), w_0 = w_0c + (double)si->m0;
+  const double w_1a = (double)D->m03 * (double)si->m5,
+      w_1c = ksl_product_sum(-(double)D->m23, (double)si->m3, w_1a), w_1 = w_1c + (double)si->m1;
+  const double w_2a = (double)D->m13 * (double)si->m3,
+      w_2c = ksl_product_sum(-(double)D->m03, (double)si->m4, w_2a), w_2 = w_2c + (double)si->m2;
   const double so_0a = KSL_MUL((double)D->m00, w_0), so_0b = KSL_MUL((double)D->m10, w_1),
       so_0c = so_0a + so_0b, so_0d = KSL_MUL((double)D->m20, w_2), so_0 = so_0c + so_0d;
   const double so_1a = KSL_MUL((double)D->m01, w_0), so_1b = KSL_MUL((double)D->m11, w_1),
       so_1c = so_1a + so_1b, so_1d = KSL_MUL((double)D->m21, w_2), so_1 = so_1c + so_1d;
   const double so_2a = KSL_MUL((double)D->m02, w_0), so_2b = KSL_MUL((double)D->m12, w_1),
       so_2c = so_2a + so_2b, so_2d = KSL_MUL((double)D->m22, w_2), so_2 = so_2c + so_2d;
-  const double so_3a = (double)D->m00 * (double)si->m3, so_3b = (double)D->m10 * (double)si->m4,
-      so_3c = so_3a + so_3b, so_3d = (double)D->m20 * (double)si->m5, so_3 = so_3c + so_3d;
-  const double so_4a = (double)D->m01 * (double)si->m3, so_4b = (double)D->m11 * (double)si->m4,
-      so_4c = so_4a + so_4b, so_4d = (double)D->m21 * (double)si->m5, so_4 = so_4c + so_4d;
-  const double so_5a = (double)D->m02 * (double)si->m3, so_5b = (double)D->m12 * (double)si->m4,
-      so_5c = so_5a + so_5b, so_5d = (double)D->m22 * (double)si->m5, so_5 = so_5c + so_5d;
+  const double so_3a = (double)D->m00 * (double)si->m3,
+      so_3c = ksl_product_sum((double)D->m10, (double)si->m4, so_3a),
+      so_3 = ksl_product_sum((double)D->m20, (double)si->m5, so_3c);
+  const double so_4a = (double)D->m01 * (double)si->m3,
+      so_4c = ksl_product_sum((double)D->m11, (double)si->m4, so_4a),
+      so_4 = ksl_product_sum((double)D->m21, (double)si->m5, so_4c);
+  const double so_5a = (double)D->m02 * (double)si->m3,
+      so_5c = ksl_product_sum((double)D->m12, (double)si->m4, so_5a),
+      so_5 = ksl_product_sum((double)D->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2709,18 +2730,24 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0, w_0b = (double)D->m01 * (double)si->m1,
-      w_0c = w_0a + w_0b, w_0d = (double)D->m02 * (double)si->m2, w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)si->m0, w_1b = (double)D->m11 * (double)si->m1,
-      w_1c = w_1a + w_1b, w_1d = (double)D->m12 * (double)si->m2, w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)si->m0, w_2b = (double)D->m21 * (double)si->m1,
-      w_2c = w_2a + w_2b, w_2d = (double)D->m22 * (double)si->m2, w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)si->m3, w_3b = (double)D->m01 * (double)si->m4,
-      w_3c = w_3a + w_3b, w_3d = (double)D->m02 * (double)si->m5, w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)si->m3, w_4b = (double)D->m11 * (double)si->m4,
-      w_4c = w_4a + w_4b, w_4d = (double)D->m12 * (double)si->m5, w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)si->m3, w_5b = (double)D->m21 * (double)si->m4,
-      w_5c = w_5a + w_5b, w_5d = (double)D->m22 * (double)si->m5, w_5e = w_5c + w_5d, w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)si->m0,
+      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
+      w_0e = ksl_product_sum((double)D->m02, (double)si->m2, w_0c), w_0 = -w_0e;
+  const double w_1a = (double)D->m10 * (double)si->m0,
+      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
+      w_1e = ksl_product_sum((double)D->m12, (double)si->m2, w_1c), w_1 = -w_1e;
+  const double w_2a = (double)D->m20 * (double)si->m0,
+      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
+      w_2e = ksl_product_sum((double)D->m22, (double)si->m2, w_2c), w_2 = -w_2e;
+  const double w_3a = (double)D->m00 * (double)si->m3,
+      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
+      w_3e = ksl_product_sum((double)D->m02, (double)si->m5, w_3c), w_3 = -w_3e;
+  const double w_4a = (double)D->m10 * (double)si->m3,
+      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
+      w_4e = ksl_product_sum((double)D->m12, (double)si->m5, w_4c), w_4 = -w_4e;
+  const double w_5a = (double)D->m20 * (double)si->m3,
+      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
+      w_5e = ksl_product_sum((double)D->m22, (double)si->m5, w_5c), w_5 = -w_5e;
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -2741,12 +2768,12 @@ static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_s
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m20 * (double)D->m13, so_0b = (double)D->m10 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m00 * (double)D->m23, so_1b = (double)D->m20 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m10 * (double)D->m03, so_2b = (double)D->m00 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m20 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m10, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m00 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m10 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, so_2a);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2764,12 +2791,12 @@ static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m21 * (double)D->m13, so_0b = (double)D->m11 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m01 * (double)D->m23, so_1b = (double)D->m21 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m11 * (double)D->m03, so_2b = (double)D->m01 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m21 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m11, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m01 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m11 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, so_2a);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2787,12 +2814,12 @@ static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m22 * (double)D->m13, so_0b = (double)D->m12 * (double)D->m23,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m02 * (double)D->m23, so_1b = (double)D->m22 * (double)D->m03,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m12 * (double)D->m03, so_2b = (double)D->m02 * (double)D->m13,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m22 * (double)D->m13,
+      so_0 = ksl_product_sum(-(double)D->m12, (double)D->m23, so_0a);
+  const double so_1a = (double)D->m02 * (double)D->m23,
+      so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, so_1a);
+  const double so_2a = (double)D->m12 * (double)D->m03,
+      so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, so_2a);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2810,12 +2837,12 @@ static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m10 * (double)D->m23, so_0b = (double)D->m20 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m20 * (double)D->m03, so_1b = (double)D->m00 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m00 * (double)D->m13, so_2b = (double)D->m10 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m10 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m20, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m20 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m00 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m00;
   const double so_4 = -(double)D->m10;
   const double so_5 = -(double)D->m20;
@@ -2833,12 +2860,12 @@ static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m11 * (double)D->m23, so_0b = (double)D->m21 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m21 * (double)D->m03, so_1b = (double)D->m01 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m01 * (double)D->m13, so_2b = (double)D->m11 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m11 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m21, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m21 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m01 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m01;
   const double so_4 = -(double)D->m11;
   const double so_5 = -(double)D->m21;
@@ -2856,12 +2883,12 @@ static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m12 * (double)D->m23, so_0b = (double)D->m22 * (double)D->m13,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)D->m22 * (double)D->m03, so_1b = (double)D->m02 * (double)D->m23,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)D->m02 * (double)D->m13, so_2b = (double)D->m12 * (double)D->m03,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)D->m12 * (double)D->m23,
+      so_0 = ksl_product_sum(-(double)D->m22, (double)D->m13, so_0a);
+  const double so_1a = (double)D->m22 * (double)D->m03,
+      so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, so_1a);
+  const double so_2a = (double)D->m02 * (double)D->m13,
+      so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, so_2a);
   const double so_3 = -(double)D->m02;
   const double so_4 = -(double)D->m12;
   const double so_5 = -(double)D->m22;
@@ -2879,24 +2906,24 @@ static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_03a = (double)D->m20 * (double)D->m13, M_03b = (double)D->m10 * (double)D->m23,
-      M_03 = M_03a - M_03b;
-  const double M_04a = (double)D->m21 * (double)D->m13, M_04b = (double)D->m11 * (double)D->m23,
-      M_04 = M_04a - M_04b;
-  const double M_05a = (double)D->m22 * (double)D->m13, M_05b = (double)D->m12 * (double)D->m23,
-      M_05 = M_05a - M_05b;
-  const double M_13a = (double)D->m00 * (double)D->m23, M_13b = (double)D->m20 * (double)D->m03,
-      M_13 = M_13a - M_13b;
-  const double M_14a = (double)D->m01 * (double)D->m23, M_14b = (double)D->m21 * (double)D->m03,
-      M_14 = M_14a - M_14b;
-  const double M_15a = (double)D->m02 * (double)D->m23, M_15b = (double)D->m22 * (double)D->m03,
-      M_15 = M_15a - M_15b;
-  const double M_23a = (double)D->m10 * (double)D->m03, M_23b = (double)D->m00 * (double)D->m13,
-      M_23 = M_23a - M_23b;
-  const double M_24a = (double)D->m11 * (double)D->m03, M_24b = (double)D->m01 * (double)D->m13,
-      M_24 = M_24a - M_24b;
-  const double M_25a = (double)D->m12 * (double)D->m03, M_25b = (double)D->m02 * (double)D->m13,
-      M_25 = M_25a - M_25b;
+  const double M_03a = (double)D->m20 * (double)D->m13,
+      M_03 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_03a);
+  const double M_04a = (double)D->m21 * (double)D->m13,
+      M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_04a);
+  const double M_05a = (double)D->m22 * (double)D->m13,
+      M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_05a);
+  const double M_13a = (double)D->m00 * (double)D->m23,
+      M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_13a);
+  const double M_14a = (double)D->m01 * (double)D->m23,
+      M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_14a);
+  const double M_15a = (double)D->m02 * (double)D->m23,
+      M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_15a);
+  const double M_23a = (double)D->m10 * (double)D->m03,
+      M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_23a);
+  const double M_24a = (double)D->m11 * (double)D->m03,
+      M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_24a);
+  const double M_25a = (double)D->m12 * (double)D->m03,
+      M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_25a);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2950,12 +2977,12 @@ static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const double power_a = (double)c->m0 * (double)s->m0, power_b = (double)c->m1 * (double)s->m1,
-      power_c = power_a + power_b, power_d = (double)c->m2 * (double)s->m2,
-      power_e = power_c + power_d, power_f = (double)c->m3 * (double)s->m3,
-      power_g = (double)c->m4 * (double)s->m4, power_h = power_f + power_g,
-      power_i = (double)c->m5 * (double)s->m5, power_j = power_h + power_i,
-      power = power_e + power_j;
+  const double power_a = (double)c->m0 * (double)s->m0,
+      power_c = ksl_product_sum((double)c->m1, (double)s->m1, power_a),
+      power_e = ksl_product_sum((double)c->m2, (double)s->m2, power_c),
+      power_f = (double)c->m3 * (double)s->m3,
+      power_h = ksl_product_sum((double)c->m4, (double)s->m4, power_f),
+      power_j = ksl_product_sum((double)c->m5, (double)s->m5, power_h), power = power_e + power_j;
   return (float)power;
 }
 
@@ -2967,21 +2994,24 @@ static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m1 * (double)s2->m5, so_0b = (double)s1->m5 * (double)s2->m1,
-      so_0c = so_0a - so_0b, so_0d = (double)s1->m4 * (double)s2->m2,
-      so_0e = (double)s1->m2 * (double)s2->m4, so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = (double)s1->m5 * (double)s2->m0, so_1b = (double)s1->m0 * (double)s2->m5,
-      so_1c = so_1a - so_1b, so_1d = (double)s1->m2 * (double)s2->m3,
-      so_1e = (double)s1->m3 * (double)s2->m2, so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = (double)s1->m0 * (double)s2->m4, so_2b = (double)s1->m4 * (double)s2->m0,
-      so_2c = so_2a - so_2b, so_2d = (double)s1->m3 * (double)s2->m1,
-      so_2e = (double)s1->m1 * (double)s2->m3, so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = (double)s1->m4 * (double)s2->m5, so_3b = (double)s1->m5 * (double)s2->m4,
-      so_3 = so_3a - so_3b;
-  const double so_4a = (double)s1->m5 * (double)s2->m3, so_4b = (double)s1->m3 * (double)s2->m5,
-      so_4 = so_4a - so_4b;
-  const double so_5a = (double)s1->m3 * (double)s2->m4, so_5b = (double)s1->m4 * (double)s2->m3,
-      so_5 = so_5a - so_5b;
+  const double so_0a = (double)s1->m1 * (double)s2->m5,
+      so_0c = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a),
+      so_0d = (double)s1->m4 * (double)s2->m2,
+      so_0f = ksl_product_sum(-(double)s1->m2, (double)s2->m4, so_0d), so_0 = so_0c + so_0f;
+  const double so_1a = (double)s1->m5 * (double)s2->m0,
+      so_1c = ksl_product_sum(-(double)s1->m0, (double)s2->m5, so_1a),
+      so_1d = (double)s1->m2 * (double)s2->m3,
+      so_1f = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1d), so_1 = so_1c + so_1f;
+  const double so_2a = (double)s1->m0 * (double)s2->m4,
+      so_2c = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a),
+      so_2d = (double)s1->m3 * (double)s2->m1,
+      so_2f = ksl_product_sum(-(double)s1->m1, (double)s2->m3, so_2d), so_2 = so_2c + so_2f;
+  const double so_3a = (double)s1->m4 * (double)s2->m5,
+      so_3 = ksl_product_sum(-(double)s1->m5, (double)s2->m4, so_3a);
+  const double so_4a = (double)s1->m5 * (double)s2->m3,
+      so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, so_4a);
+  const double so_5a = (double)s1->m3 * (double)s2->m4,
+      so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, so_5a);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2997,12 +3027,12 @@ static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m4 * (double)s2->m2, so_0b = (double)s1->m5 * (double)s2->m1,
-      so_0 = so_0a - so_0b;
-  const double so_1a = (double)s1->m5 * (double)s2->m0, so_1b = (double)s1->m3 * (double)s2->m2,
-      so_1 = so_1a - so_1b;
-  const double so_2a = (double)s1->m3 * (double)s2->m1, so_2b = (double)s1->m4 * (double)s2->m0,
-      so_2 = so_2a - so_2b;
+  const double so_0a = (double)s1->m4 * (double)s2->m2,
+      so_0 = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a);
+  const double so_1a = (double)s1->m5 * (double)s2->m0,
+      so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1a);
+  const double so_2a = (double)s1->m3 * (double)s2->m1,
+      so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3018,12 +3048,15 @@ static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_scr
      formula; barring over- and underflow. */
 static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
-      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
-      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
-      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double a_0a = (double)D->m00 * (double)axis->x,
+      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
+      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x,
+      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x,
+      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
   const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
       so_0 = so_0a - so_0b;
   const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
@@ -3045,12 +3078,15 @@ static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
-      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0 = so_0c + so_0d;
-  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
-      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1 = so_1c + so_1d;
-  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
-      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2 = so_2c + so_2d;
+  const double so_0a = (double)D->m00 * (double)axis->x,
+      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
+      so_0 = ksl_product_sum((double)D->m02, (double)axis->z, so_0c);
+  const double so_1a = (double)D->m10 * (double)axis->x,
+      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
+      so_1 = ksl_product_sum((double)D->m12, (double)axis->z, so_1c);
+  const double so_2a = (double)D->m20 * (double)axis->x,
+      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
+      so_2 = ksl_product_sum((double)D->m22, (double)axis->z, so_2c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3066,12 +3102,15 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x, a_0b = (double)D->m01 * (double)axis->y,
-      a_0c = a_0a + a_0b, a_0d = (double)D->m02 * (double)axis->z, a_0 = a_0c + a_0d;
-  const double a_1a = (double)D->m10 * (double)axis->x, a_1b = (double)D->m11 * (double)axis->y,
-      a_1c = a_1a + a_1b, a_1d = (double)D->m12 * (double)axis->z, a_1 = a_1c + a_1d;
-  const double a_2a = (double)D->m20 * (double)axis->x, a_2b = (double)D->m21 * (double)axis->y,
-      a_2c = a_2a + a_2b, a_2d = (double)D->m22 * (double)axis->z, a_2 = a_2c + a_2d;
+  const double a_0a = (double)D->m00 * (double)axis->x,
+      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
+      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x,
+      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x,
+      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
   const double so_0a = KSL_MUL((double)D->m23, a_1), so_0b = KSL_MUL((double)D->m13, a_2),
       so_0 = so_0a - so_0b;
   const double so_1a = KSL_MUL((double)D->m03, a_2), so_1b = KSL_MUL((double)D->m23, a_0),
@@ -3096,15 +3135,15 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
      formula; barring over- and underflow. */
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x, so_0b = (double)D->m01 * (double)axis->y,
-      so_0c = so_0a + so_0b, so_0d = (double)D->m02 * (double)axis->z, so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
-  const double so_1a = (double)D->m10 * (double)axis->x, so_1b = (double)D->m11 * (double)axis->y,
-      so_1c = so_1a + so_1b, so_1d = (double)D->m12 * (double)axis->z, so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
-  const double so_2a = (double)D->m20 * (double)axis->x, so_2b = (double)D->m21 * (double)axis->y,
-      so_2c = so_2a + so_2b, so_2d = (double)D->m22 * (double)axis->z, so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
+  const double so_0a = (double)D->m00 * (double)axis->x,
+      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
+      so_0e = ksl_product_sum((double)D->m02, (double)axis->z, so_0c), so_0 = -so_0e;
+  const double so_1a = (double)D->m10 * (double)axis->x,
+      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
+      so_1e = ksl_product_sum((double)D->m12, (double)axis->z, so_1c), so_1 = -so_1e;
+  const double so_2a = (double)D->m20 * (double)axis->x,
+      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
+      so_2e = ksl_product_sum((double)D->m22, (double)axis->z, so_2c), so_2 = -so_2e;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

@@ -1915,24 +1915,30 @@ static inline void ksl_spatial_inertiaf_about_com_accurate(const ksl_spatial_ine
      formula; barring over- and underflow. */
 static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, ksl_coscrewf_t *co) {
-  const double co_0a = (double)B->m * (double)s->m0, co_0b = (double)B->h.z * (double)s->m4,
-      co_0c = (double)B->h.y * (double)s->m5, co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = (double)B->m * (double)s->m1, co_1b = (double)B->h.x * (double)s->m5,
-      co_1c = (double)B->h.z * (double)s->m3, co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = (double)B->m * (double)s->m2, co_2b = (double)B->h.y * (double)s->m3,
-      co_2c = (double)B->h.x * (double)s->m4, co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = (double)B->h.y * (double)s->m2, co_3b = (double)B->h.z * (double)s->m1,
-      co_3c = co_3a - co_3b, co_3d = (double)B->xx * (double)s->m3,
-      co_3e = (double)B->xy * (double)s->m4, co_3f = co_3d + co_3e,
-      co_3g = (double)B->xz * (double)s->m5, co_3h = co_3f + co_3g, co_3 = co_3c + co_3h;
-  const double co_4a = (double)B->h.z * (double)s->m0, co_4b = (double)B->h.x * (double)s->m2,
-      co_4c = co_4a - co_4b, co_4d = (double)B->yy * (double)s->m4,
-      co_4e = (double)B->xy * (double)s->m3, co_4f = co_4d + co_4e,
-      co_4g = (double)B->yz * (double)s->m5, co_4h = co_4f + co_4g, co_4 = co_4c + co_4h;
-  const double co_5a = (double)B->h.x * (double)s->m1, co_5b = (double)B->h.y * (double)s->m0,
-      co_5c = co_5a - co_5b, co_5d = (double)B->zz * (double)s->m5,
-      co_5e = (double)B->xz * (double)s->m3, co_5f = co_5d + co_5e,
-      co_5g = (double)B->yz * (double)s->m4, co_5h = co_5f + co_5g, co_5 = co_5c + co_5h;
+  const double co_0b = (double)B->h.z * (double)s->m4,
+      co_0d = ksl_product_sum(-(double)B->h.y, (double)s->m5, co_0b),
+      co_0 = ksl_product_sum((double)B->m, (double)s->m0, co_0d);
+  const double co_1b = (double)B->h.x * (double)s->m5,
+      co_1d = ksl_product_sum(-(double)B->h.z, (double)s->m3, co_1b),
+      co_1 = ksl_product_sum((double)B->m, (double)s->m1, co_1d);
+  const double co_2b = (double)B->h.y * (double)s->m3,
+      co_2d = ksl_product_sum(-(double)B->h.x, (double)s->m4, co_2b),
+      co_2 = ksl_product_sum((double)B->m, (double)s->m2, co_2d);
+  const double co_3a = (double)B->h.y * (double)s->m2,
+      co_3c = ksl_product_sum(-(double)B->h.z, (double)s->m1, co_3a),
+      co_3d = (double)B->xx * (double)s->m3,
+      co_3f = ksl_product_sum((double)B->xy, (double)s->m4, co_3d),
+      co_3h = ksl_product_sum((double)B->xz, (double)s->m5, co_3f), co_3 = co_3c + co_3h;
+  const double co_4a = (double)B->h.z * (double)s->m0,
+      co_4c = ksl_product_sum(-(double)B->h.x, (double)s->m2, co_4a),
+      co_4d = (double)B->yy * (double)s->m4,
+      co_4f = ksl_product_sum((double)B->xy, (double)s->m3, co_4d),
+      co_4h = ksl_product_sum((double)B->yz, (double)s->m5, co_4f), co_4 = co_4c + co_4h;
+  const double co_5a = (double)B->h.x * (double)s->m1,
+      co_5c = ksl_product_sum(-(double)B->h.y, (double)s->m0, co_5a),
+      co_5d = (double)B->zz * (double)s->m5,
+      co_5f = ksl_product_sum((double)B->xz, (double)s->m3, co_5d),
+      co_5h = ksl_product_sum((double)B->yz, (double)s->m4, co_5f), co_5 = co_5c + co_5h;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -1950,23 +1956,26 @@ static inline void ksl_product_Bsf_accurate(const ksl_spatial_inertiaf_t *B,
 static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
   const double across_0a = (double)B->h.z * (double)s->m4,
-      across_0b = (double)B->h.y * (double)s->m5, across_0 = across_0a - across_0b;
+      across_0 = ksl_product_sum(-(double)B->h.y, (double)s->m5, across_0a);
   const double across_1a = (double)B->h.x * (double)s->m5,
-      across_1b = (double)B->h.z * (double)s->m3, across_1 = across_1a - across_1b;
+      across_1 = ksl_product_sum(-(double)B->h.z, (double)s->m3, across_1a);
   const double across_2a = (double)B->h.y * (double)s->m3,
-      across_2b = (double)B->h.x * (double)s->m4, across_2 = across_2a - across_2b;
+      across_2 = ksl_product_sum(-(double)B->h.x, (double)s->m4, across_2a);
   const double twice_across_0 = KSL_MUL(2.0, across_0);
   const double twice_across_1 = KSL_MUL(2.0, across_1);
   const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = (double)B->m * (double)s->m0, p_0 = p_0a + twice_across_0;
-  const double p_1a = (double)B->m * (double)s->m1, p_1 = p_1a + twice_across_1;
-  const double p_2a = (double)B->m * (double)s->m2, p_2 = p_2a + twice_across_2;
-  const double L_0a = (double)B->xx * (double)s->m3, L_0b = (double)B->xy * (double)s->m4,
-      L_0c = L_0a + L_0b, L_0d = (double)B->xz * (double)s->m5, L_0 = L_0c + L_0d;
-  const double L_1a = (double)B->yy * (double)s->m4, L_1b = (double)B->xy * (double)s->m3,
-      L_1c = L_1a + L_1b, L_1d = (double)B->yz * (double)s->m5, L_1 = L_1c + L_1d;
-  const double L_2a = (double)B->zz * (double)s->m5, L_2b = (double)B->xz * (double)s->m3,
-      L_2c = L_2a + L_2b, L_2d = (double)B->yz * (double)s->m4, L_2 = L_2c + L_2d;
+  const double p_0 = ksl_product_sum((double)B->m, (double)s->m0, twice_across_0);
+  const double p_1 = ksl_product_sum((double)B->m, (double)s->m1, twice_across_1);
+  const double p_2 = ksl_product_sum((double)B->m, (double)s->m2, twice_across_2);
+  const double L_0a = (double)B->xx * (double)s->m3,
+      L_0c = ksl_product_sum((double)B->xy, (double)s->m4, L_0a),
+      L_0 = ksl_product_sum((double)B->xz, (double)s->m5, L_0c);
+  const double L_1a = (double)B->yy * (double)s->m4,
+      L_1c = ksl_product_sum((double)B->xy, (double)s->m3, L_1a),
+      L_1 = ksl_product_sum((double)B->yz, (double)s->m5, L_1c);
+  const double L_2a = (double)B->zz * (double)s->m5,
+      L_2c = ksl_product_sum((double)B->xz, (double)s->m3, L_2a),
+      L_2 = ksl_product_sum((double)B->yz, (double)s->m4, L_2c);
   const double twice_a = KSL_MUL((double)s->m0, p_0), twice_b = KSL_MUL((double)s->m1, p_1),
       twice_c = twice_a + twice_b, twice_d = KSL_MUL((double)s->m2, p_2),
       twice_e = twice_c + twice_d, twice_f = KSL_MUL((double)s->m3, L_0),
@@ -2038,33 +2047,42 @@ static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const double RI_0a = (double)D->m00 * (double)B->xx, RI_0b = (double)D->m01 * (double)B->xy,
-      RI_0c = RI_0a + RI_0b, RI_0d = (double)D->m02 * (double)B->xz, RI_0 = RI_0c + RI_0d;
-  const double RI_1a = (double)D->m00 * (double)B->xy, RI_1b = (double)D->m01 * (double)B->yy,
-      RI_1c = RI_1a + RI_1b, RI_1d = (double)D->m02 * (double)B->yz, RI_1 = RI_1c + RI_1d;
-  const double RI_2a = (double)D->m00 * (double)B->xz, RI_2b = (double)D->m01 * (double)B->yz,
-      RI_2c = RI_2a + RI_2b, RI_2d = (double)D->m02 * (double)B->zz, RI_2 = RI_2c + RI_2d;
-  const double RI_3a = (double)D->m10 * (double)B->xx, RI_3b = (double)D->m11 * (double)B->xy,
-      RI_3c = RI_3a + RI_3b, RI_3d = (double)D->m12 * (double)B->xz, RI_3 = RI_3c + RI_3d;
-  const double RI_4a = (double)D->m10 * (double)B->xy, RI_4b = (double)D->m11 * (double)B->yy,
-      RI_4c = RI_4a + RI_4b, RI_4d = (double)D->m12 * (double)B->yz, RI_4 = RI_4c + RI_4d;
-  const double RI_5a = (double)D->m10 * (double)B->xz, RI_5b = (double)D->m11 * (double)B->yz,
-      RI_5c = RI_5a + RI_5b, RI_5d = (double)D->m12 * (double)B->zz, RI_5 = RI_5c + RI_5d;
-  const double RI_6a = (double)D->m20 * (double)B->xx, RI_6b = (double)D->m21 * (double)B->xy,
-      RI_6c = RI_6a + RI_6b, RI_6d = (double)D->m22 * (double)B->xz, RI_6 = RI_6c + RI_6d;
-  const double RI_7a = (double)D->m20 * (double)B->xy, RI_7b = (double)D->m21 * (double)B->yy,
-      RI_7c = RI_7a + RI_7b, RI_7d = (double)D->m22 * (double)B->yz, RI_7 = RI_7c + RI_7d;
-  const double RI_8a = (double)D->m20 * (double)B->xz, RI_8b = (double)D->m21 * (double)B->yz,
-      RI_8c = RI_8a + RI_8b, RI_8d = (double)D->m22 * (double)B->zz, RI_8 = RI_8c + RI_8d;
+  const double RI_0a = (double)D->m00 * (double)B->xx,
+      RI_0c = ksl_product_sum((double)D->m01, (double)B->xy, RI_0a),
+      RI_0 = ksl_product_sum((double)D->m02, (double)B->xz, RI_0c);
+  const double RI_1a = (double)D->m00 * (double)B->xy,
+      RI_1c = ksl_product_sum((double)D->m01, (double)B->yy, RI_1a),
+      RI_1 = ksl_product_sum((double)D->m02, (double)B->yz, RI_1c);
+  const double RI_2a = (double)D->m00 * (double)B->xz,
+      RI_2c = ksl_product_sum((double)D->m01, (double)B->yz, RI_2a),
+      RI_2 = ksl_product_sum((double)D->m02, (double)B->zz, RI_2c);
+  const double RI_3a = (double)D->m10 * (double)B->xx,
+      RI_3c = ksl_product_sum((double)D->m11, (double)B->xy, RI_3a),
+      RI_3 = ksl_product_sum((double)D->m12, (double)B->xz, RI_3c);
+  const double RI_4a = (double)D->m10 * (double)B->xy,
+      RI_4c = ksl_product_sum((double)D->m11, (double)B->yy, RI_4a),
+      RI_4 = ksl_product_sum((double)D->m12, (double)B->yz, RI_4c);
+  const double RI_5a = (double)D->m10 * (double)B->xz,
+      RI_5c = ksl_product_sum((double)D->m11, (double)B->yz, RI_5a),
+      RI_5 = ksl_product_sum((double)D->m12, (double)B->zz, RI_5c);
+  const double RI_6a = (double)D->m20 * (double)B->xx,
+      RI_6c = ksl_product_sum((double)D->m21, (double)B->xy, RI_6a),
+      RI_6 = ksl_product_sum((double)D->m22, (double)B->xz, RI_6c);
+  const double RI_7a = (double)D->m20 * (double)B->xy,
+      RI_7c = ksl_product_sum((double)D->m21, (double)B->yy, RI_7a),
+      RI_7 = ksl_product_sum((double)D->m22, (double)B->yz, RI_7c);
+  const double RI_8a = (double)D->m20 * (double)B->xz,
+      RI_8c = ksl_product_sum((double)D->m21, (double)B->yz, RI_8a),
+      RI_8 = ksl_product_sum((double)D->m22, (double)B->zz, RI_8c);
   const double turned_1a = (double)D->m00 * (double)B->h.x,
-      turned_1b = (double)D->m01 * (double)B->h.y, turned_1c = turned_1a + turned_1b,
-      turned_1d = (double)D->m02 * (double)B->h.z, turned_1 = turned_1c + turned_1d;
+      turned_1c = ksl_product_sum((double)D->m01, (double)B->h.y, turned_1a),
+      turned_1 = ksl_product_sum((double)D->m02, (double)B->h.z, turned_1c);
   const double turned_2a = (double)D->m10 * (double)B->h.x,
-      turned_2b = (double)D->m11 * (double)B->h.y, turned_2c = turned_2a + turned_2b,
-      turned_2d = (double)D->m12 * (double)B->h.z, turned_2 = turned_2c + turned_2d;
+      turned_2c = ksl_product_sum((double)D->m11, (double)B->h.y, turned_2a),
+      turned_2 = ksl_product_sum((double)D->m12, (double)B->h.z, turned_2c);
   const double turned_3a = (double)D->m20 * (double)B->h.x,
-      turned_3b = (double)D->m21 * (double)B->h.y, turned_3c = turned_3a + turned_3b,
-      turned_3d = (double)D->m22 * (double)B->h.z, turned_3 = turned_3c + turned_3d;
+      turned_3c = ksl_product_sum((double)D->m21, (double)B->h.y, turned_3a),
+      turned_3 = ksl_product_sum((double)D->m22, (double)B->h.z, turned_3c);
   const double turned_4a = KSL_MUL((double)D->m00, RI_0), turned_4b = KSL_MUL((double)D->m01, RI_1),
       turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL((double)D->m02, RI_2),
       turned_4 = turned_4c + turned_4d;
@@ -2135,8 +2153,9 @@ static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D
      m^2).
    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_inertiaf_t *B) {
-  const double trace_a = 0.5 * (double)B->xx, trace_b = 0.5 * (double)B->yy,
-      trace_c = trace_a + trace_b, trace_d = 0.5 * (double)B->zz, trace = trace_c + trace_d;
+  const double trace_a = 0.5 * (double)B->xx,
+      trace_c = ksl_product_sum(0.5, (double)B->yy, trace_a),
+      trace = ksl_product_sum(0.5, (double)B->zz, trace_c);
   const double sigma_0 = trace - (double)B->xx;
   const double sigma_1 = trace - (double)B->yy;
   const double sigma_2 = trace - (double)B->zz;

@@ -3575,8 +3575,8 @@ static inline float ksl_mat3x3f_ldl_accurate(const ksl_mat3x3f_t *A, ksl_mat3x3f
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
-  const double y1a = (double)L->m10 * (double)b->x, y1 = (double)b->y - y1a;
-  const double y2a = (double)L->m20 * (double)b->x, y2b = (double)b->z - y2a,
+  const double y1 = ksl_product_sum(-(double)L->m10, (double)b->x, (double)b->y);
+  const double y2b = ksl_product_sum(-(double)L->m20, (double)b->x, (double)b->z),
       y2c = KSL_MUL((double)L->m21, y1), y2 = y2b - y2c;
   const double z0 = (double)b->x / (double)L->m00;
   const double z1 = y1 / (double)L->m11;
@@ -3617,17 +3617,17 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   const double part2a = u2 / own2, part2 = 0.0 < (double)A->m22 ? part2a : (double)A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
   const double less_0 = (double)A->m00 * 0.9999970197677612;
-  const double less_1 = (double)A->m11 * 0.9999970197677612;
-  const double less_2 = (double)A->m22 * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->m10 / less_divisor0;
   const double less_l0_1 = (double)A->m20 / less_divisor0;
-  const double less_u1_0a = KSL_MUL((double)A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
+  const double less_u1_0a = KSL_MUL((double)A->m10, less_l0_0),
+      less_u1_0 = ksl_product_sum((double)A->m11, 0.9999970197677612, -less_u1_0a);
   const double less_u1_1a = KSL_MUL((double)A->m20, less_l0_0),
       less_u1_1 = (double)A->m21 - less_u1_1a;
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
-  const double less_u2a = KSL_MUL((double)A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
+  const double less_u2a = KSL_MUL((double)A->m20, less_l0_1),
+      less_u2b = ksl_product_sum((double)A->m22, 0.9999970197677612, -less_u2a),
       less_u2c = KSL_MUL(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
   const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
       regular = 0.0 < less_0 ? regular_c : 0.0;
@@ -3796,17 +3796,17 @@ static inline float ksl_mat6x6f_ldl_accurate(const ksl_mat6x6f_t *A, ksl_mat6x6f
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
-  const double y1a = (double)L->at[0][1] * (double)b->m0, y1 = (double)b->m1 - y1a;
-  const double y2a = (double)L->at[0][2] * (double)b->m0, y2b = (double)b->m2 - y2a,
+  const double y1 = ksl_product_sum(-(double)L->at[0][1], (double)b->m0, (double)b->m1);
+  const double y2b = ksl_product_sum(-(double)L->at[0][2], (double)b->m0, (double)b->m2),
       y2c = KSL_MUL((double)L->at[1][2], y1), y2 = y2b - y2c;
-  const double y3a = (double)L->at[0][3] * (double)b->m0, y3b = (double)b->m3 - y3a,
+  const double y3b = ksl_product_sum(-(double)L->at[0][3], (double)b->m0, (double)b->m3),
       y3c = KSL_MUL((double)L->at[1][3], y1), y3d = y3b - y3c,
       y3e = KSL_MUL((double)L->at[2][3], y2), y3 = y3d - y3e;
-  const double y4a = (double)L->at[0][4] * (double)b->m0, y4b = (double)b->m4 - y4a,
+  const double y4b = ksl_product_sum(-(double)L->at[0][4], (double)b->m0, (double)b->m4),
       y4c = KSL_MUL((double)L->at[1][4], y1), y4d = y4b - y4c,
       y4e = KSL_MUL((double)L->at[2][4], y2), y4f = y4d - y4e,
       y4g = KSL_MUL((double)L->at[3][4], y3), y4 = y4f - y4g;
-  const double y5a = (double)L->at[0][5] * (double)b->m0, y5b = (double)b->m5 - y5a,
+  const double y5b = ksl_product_sum(-(double)L->at[0][5], (double)b->m0, (double)b->m5),
       y5c = KSL_MUL((double)L->at[1][5], y1), y5d = y5b - y5c,
       y5e = KSL_MUL((double)L->at[2][5], y2), y5f = y5d - y5e,
       y5g = KSL_MUL((double)L->at[3][5], y3), y5h = y5f - y5g,
@@ -3923,11 +3923,6 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double part5a = u5 / own5, part5 = 0.0 < (double)A->at[5][5] ? part5a : (double)A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
   const double less_0 = (double)A->at[0][0] * 0.9999970197677612;
-  const double less_1 = (double)A->at[1][1] * 0.9999970197677612;
-  const double less_2 = (double)A->at[2][2] * 0.9999970197677612;
-  const double less_3 = (double)A->at[3][3] * 0.9999970197677612;
-  const double less_4 = (double)A->at[4][4] * 0.9999970197677612;
-  const double less_5 = (double)A->at[5][5] * 0.9999970197677612;
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
   const double less_l0_0 = (double)A->at[0][1] / less_divisor0;
   const double less_l0_1 = (double)A->at[0][2] / less_divisor0;
@@ -3935,7 +3930,7 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l0_3 = (double)A->at[0][4] / less_divisor0;
   const double less_l0_4 = (double)A->at[0][5] / less_divisor0;
   const double less_u1_0a = KSL_MUL((double)A->at[0][1], less_l0_0),
-      less_u1_0 = less_1 - less_u1_0a;
+      less_u1_0 = ksl_product_sum((double)A->at[1][1], 0.9999970197677612, -less_u1_0a);
   const double less_u1_1a = KSL_MUL((double)A->at[0][2], less_l0_0),
       less_u1_1 = (double)A->at[1][2] - less_u1_1a;
   const double less_u1_2a = KSL_MUL((double)A->at[0][3], less_l0_0),
@@ -3950,8 +3945,8 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l1_2 = less_u1_3 / less_divisor1;
   const double less_l1_3 = less_u1_4 / less_divisor1;
   const double less_u2_0a = KSL_MUL((double)A->at[0][2], less_l0_1),
-      less_u2_0b = less_2 - less_u2_0a, less_u2_0c = KSL_MUL(less_u1_1, less_l1_0),
-      less_u2_0 = less_u2_0b - less_u2_0c;
+      less_u2_0b = ksl_product_sum((double)A->at[2][2], 0.9999970197677612, -less_u2_0a),
+      less_u2_0c = KSL_MUL(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
   const double less_u2_1a = KSL_MUL((double)A->at[0][3], less_l0_1),
       less_u2_1b = (double)A->at[2][3] - less_u2_1a, less_u2_1c = KSL_MUL(less_u1_2, less_l1_0),
       less_u2_1 = less_u2_1b - less_u2_1c;
@@ -3966,9 +3961,9 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l2_1 = less_u2_2 / less_divisor2;
   const double less_l2_2 = less_u2_3 / less_divisor2;
   const double less_u3_0a = KSL_MUL((double)A->at[0][3], less_l0_2),
-      less_u3_0b = less_3 - less_u3_0a, less_u3_0c = KSL_MUL(less_u1_2, less_l1_1),
-      less_u3_0d = less_u3_0b - less_u3_0c, less_u3_0e = KSL_MUL(less_u2_1, less_l2_0),
-      less_u3_0 = less_u3_0d - less_u3_0e;
+      less_u3_0b = ksl_product_sum((double)A->at[3][3], 0.9999970197677612, -less_u3_0a),
+      less_u3_0c = KSL_MUL(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
+      less_u3_0e = KSL_MUL(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
   const double less_u3_1a = KSL_MUL((double)A->at[0][4], less_l0_2),
       less_u3_1b = (double)A->at[3][4] - less_u3_1a, less_u3_1c = KSL_MUL(less_u1_3, less_l1_1),
       less_u3_1d = less_u3_1b - less_u3_1c, less_u3_1e = KSL_MUL(less_u2_2, less_l2_0),
@@ -3981,10 +3976,10 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
   const double less_l3_0 = less_u3_1 / less_divisor3;
   const double less_l3_1 = less_u3_2 / less_divisor3;
   const double less_u4_0a = KSL_MUL((double)A->at[0][4], less_l0_3),
-      less_u4_0b = less_4 - less_u4_0a, less_u4_0c = KSL_MUL(less_u1_3, less_l1_2),
-      less_u4_0d = less_u4_0b - less_u4_0c, less_u4_0e = KSL_MUL(less_u2_2, less_l2_1),
-      less_u4_0f = less_u4_0d - less_u4_0e, less_u4_0g = KSL_MUL(less_u3_1, less_l3_0),
-      less_u4_0 = less_u4_0f - less_u4_0g;
+      less_u4_0b = ksl_product_sum((double)A->at[4][4], 0.9999970197677612, -less_u4_0a),
+      less_u4_0c = KSL_MUL(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
+      less_u4_0e = KSL_MUL(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
+      less_u4_0g = KSL_MUL(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
   const double less_u4_1a = KSL_MUL((double)A->at[0][5], less_l0_3),
       less_u4_1b = (double)A->at[4][5] - less_u4_1a, less_u4_1c = KSL_MUL(less_u1_4, less_l1_2),
       less_u4_1d = less_u4_1b - less_u4_1c, less_u4_1e = KSL_MUL(less_u2_3, less_l2_1),
@@ -3992,7 +3987,8 @@ static inline float ksl_mat6x6f_solve_accurate(const ksl_mat6x6f_t *A, const ksl
       less_u4_1 = less_u4_1f - less_u4_1g;
   const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0;
   const double less_l4 = less_u4_1 / less_divisor4;
-  const double less_u5a = KSL_MUL((double)A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
+  const double less_u5a = KSL_MUL((double)A->at[0][5], less_l0_4),
+      less_u5b = ksl_product_sum((double)A->at[5][5], 0.9999970197677612, -less_u5a),
       less_u5c = KSL_MUL(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
       less_u5e = KSL_MUL(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
       less_u5g = KSL_MUL(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,

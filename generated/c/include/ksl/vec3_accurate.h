@@ -874,9 +874,9 @@ static inline void ksl_vec3f_scale_accurate(ksl_vec3f_t *self, const float a) {
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_vvf_accurate(const float a, const ksl_vec3f_t *x, ksl_vec3f_t *y) {
-  const double y_0_new_a = (double)a * (double)x->x, y_0_new = y_0_new_a + (double)y->x;
-  const double y_1_new_a = (double)a * (double)x->y, y_1_new = y_1_new_a + (double)y->y;
-  const double y_2_new_a = (double)a * (double)x->z, y_2_new = y_2_new_a + (double)y->z;
+  const double y_0_new = ksl_product_sum((double)a, (double)x->x, (double)y->x);
+  const double y_1_new = ksl_product_sum((double)a, (double)x->y, (double)y->y);
+  const double y_2_new = ksl_product_sum((double)a, (double)x->z, (double)y->z);
   y->x = (float)y_0_new;
   y->y = (float)y_1_new;
   y->z = (float)y_2_new;
@@ -1122,8 +1122,9 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
    Error <= u |result| + 3/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_dot_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
-  const double dot_a = (double)v1->x * (double)v2->x, dot_b = (double)v1->y * (double)v2->y,
-      dot_c = dot_a + dot_b, dot_d = (double)v1->z * (double)v2->z, dot = dot_c + dot_d;
+  const double dot_a = (double)v1->x * (double)v2->x,
+      dot_c = ksl_product_sum((double)v1->y, (double)v2->y, dot_a),
+      dot = ksl_product_sum((double)v1->z, (double)v2->z, dot_c);
   return (float)dot;
 }
 
@@ -1162,12 +1163,12 @@ static inline void ksl_product_ainvvf_accurate(const float k, const ksl_vec3f_t 
      over- and underflow. */
 static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)v1->y * (double)v2->z, vo_0b = (double)v1->z * (double)v2->y,
-      vo_0 = vo_0a - vo_0b;
-  const double vo_1a = (double)v1->z * (double)v2->x, vo_1b = (double)v1->x * (double)v2->z,
-      vo_1 = vo_1a - vo_1b;
-  const double vo_2a = (double)v1->x * (double)v2->y, vo_2b = (double)v1->y * (double)v2->x,
-      vo_2 = vo_2a - vo_2b;
+  const double vo_0a = (double)v1->y * (double)v2->z,
+      vo_0 = ksl_product_sum(-(double)v1->z, (double)v2->y, vo_0a);
+  const double vo_1a = (double)v1->z * (double)v2->x,
+      vo_1 = ksl_product_sum(-(double)v1->x, (double)v2->z, vo_1a);
+  const double vo_2a = (double)v1->x * (double)v2->y,
+      vo_2 = ksl_product_sum(-(double)v1->y, (double)v2->x, vo_2a);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -1180,12 +1181,12 @@ static inline void ksl_cross_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f
      over- and underflow. */
 static inline void ksl_cross_vvinvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)v1->z * (double)v2->y, vo_0b = (double)v1->y * (double)v2->z,
-      vo_0 = vo_0a - vo_0b;
-  const double vo_1a = (double)v1->x * (double)v2->z, vo_1b = (double)v1->z * (double)v2->x,
-      vo_1 = vo_1a - vo_1b;
-  const double vo_2a = (double)v1->y * (double)v2->x, vo_2b = (double)v1->x * (double)v2->y,
-      vo_2 = vo_2a - vo_2b;
+  const double vo_0a = (double)v1->z * (double)v2->y,
+      vo_0 = ksl_product_sum(-(double)v1->y, (double)v2->z, vo_0a);
+  const double vo_1a = (double)v1->x * (double)v2->z,
+      vo_1 = ksl_product_sum(-(double)v1->z, (double)v2->x, vo_1a);
+  const double vo_2a = (double)v1->y * (double)v2->x,
+      vo_2 = ksl_product_sum(-(double)v1->x, (double)v2->y, vo_2a);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
