@@ -200,10 +200,20 @@ def test_templates_hold_shapes_only():
         assert len(path.read_text().splitlines()) <= 80, path.name
 
 
+def hand_written() -> list[Path]:
+    return [path for folder in ("codegen", "examples", "templates", "tests")
+            for path in sorted((ROOT / folder).rglob("*.py"))]
+
+
+def test_every_hand_written_file_is_python():
+    """Of benchmarks and long searches, too, which no test runs."""
+    for path in hand_written():
+        compile(path.read_text(encoding="utf-8"), path.name, "exec", dont_inherit=True)
+
+
 def test_no_hand_written_line_is_over_100_characters():
     over = [f"{path.relative_to(ROOT)}:{number}: {len(line)} characters"
-            for folder in ("codegen", "examples", "templates", "tests")
-            for path in sorted((ROOT / folder).rglob("*.py"))
+            for path in hand_written()
             for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1)
             if len(line) > 100]
     assert not over, "\n".join(over)

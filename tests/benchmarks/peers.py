@@ -118,7 +118,7 @@ def _pinocchio(pin: ModuleType) -> dict[str, Function]:
             lambda q: pin.Quaternion(q).toRotationMatrix()),
         "quaternion_from_mat3x3": _by_row(lambda R: pin.Quaternion(R).coeffs()),
         "quaternion_interpolated": _by_row(lambda p, q, k: pin.Quaternion(p).slerp(
-            float(k), pin.Quaternion(q)).coeffs()))}
+            float(k), pin.Quaternion(q)).coeffs())}
 
 
 def _spatialmath(base: ModuleType) -> dict[str, Function]:
