@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 
 from coscrew_codegen.extension import extension_sources
 from coscrew_codegen.kernel import kernel_of
@@ -37,6 +38,7 @@ _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
 
 _UMBRELLAS = ("ksl", *(f"ksl_{tier.name}" for tier in TIERS))
 
+@cache
 def program_of(operation: Operation) -> Program:
     """The operation's program: kernel, passes, plain tier."""
     return plain(simplified(kernel_of(operation)))

@@ -13,13 +13,11 @@ from coscrew_codegen.tiers.table import TIERS
 _FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.FMA: 2, Op.FMS: 2,
           Op.FNMA: 2, Op.PRODUCT_ERROR: 2, Op.PRODUCT_REST: 2}
 
-_plain_program = functools.cache(program_of)
-
 
 @functools.cache
 def variants_of(operation: Operation, precision: Precision) -> tuple[Variant, ...]:
     """Plain first, then the tiers in their table's order."""
-    plain = _plain_program(operation)
+    plain = program_of(operation)
     return (Variant(operation, precision, "plain", plain), *(
         Variant(tier.operation(operation), precision, tier.name,
                 tier.program(plain, precision.name)) for tier in TIERS if tier.has(plain)))

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 
@@ -48,6 +48,7 @@ class Tier:
             _is_rounded(x) for step in program.instructions if step.op not in _UNROUNDED
             for x in step.operands)
 
+    @cache  # every language asks again
     def program(self, plain: Program, precision: str) -> Program:
         """What the tier makes of a plain program, in "double" or "single" precision."""
         return {"double": self.double, "single": self.single}[precision](plain)
