@@ -29,6 +29,7 @@ _PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
 """What a product that is never fused into a sum is called, in each precision."""
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
+MOST_SIGNS = 40
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
 
 
@@ -153,11 +154,13 @@ def _clean(text: str) -> str:
 
 def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
     """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
-    what is called as `free` says."""
+    what is called as `free` says, and of many signs for MOST_SIGNS or fewer, evenly spread."""
+    signs = []
     for match in _SIGNS.finditer(text):
         called = re.findall(r"(\w+) = ", text[:match.start()])
-        if called and called[-1].startswith(free or "="):
-            continue
+        if not called or not called[-1].startswith(free or "="):
+            signs.append(match)
+    for match in signs[::-(-len(signs) // MOST_SIGNS) or 1]:
         binary = text[match.end()].isspace()
         flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
         yield text[:match.start()] + flipped + text[match.end():]

@@ -131,7 +131,8 @@ def test_contraction_would_be_noticed(precision: Precision, compiler: str, folde
     flags = (*OPTIMISED, "-ffp-contract=fast")
     told = compiler == "clang" and _has_fma(compiler)
     for said, contracts in (((), False), (("-DKSL_CONTRACT_OFF",), told)):
-        contracting = harness(folder, compiler, ("-std=gnu11", *flags, *said))
+        contracting = harness(folder, compiler, ("-std=gnu11", *flags, *said),
+                              operations=(operation,))
         got = call(contracting, operation, precision, inputs)
         assert bool(mismatch(operation, inputs, got, want)) == contracts
 
