@@ -7,10 +7,11 @@ one scalar each; the unions' layouts come from their typedefs, so that `D->t.y`,
 
 import operator
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 import sympy as sp
 from pycparser import CParser, c_ast
@@ -29,7 +30,9 @@ _PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
 """What a product that is never fused into a sum is called, in each precision."""
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
-MOST_SIGNS = 40
+T = TypeVar("T")
+
+MOST_SIGNS = 30
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
 
 
@@ -152,15 +155,20 @@ def _clean(text: str) -> str:
     return text.replace("KSL_VIEW", "struct").replace("static inline ", "")
 
 
+def spread(found: Sequence[T]) -> Sequence[T]:
+    """All of them or, of many, MOST_SIGNS or fewer, evenly spread."""
+    return found[::-(-len(found) // MOST_SIGNS) or 1]
+
+
 def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
     """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
-    what is called as `free` says, and of many signs for MOST_SIGNS or fewer, evenly spread."""
+    what is called as `free` says, and of many signs for a part."""
     signs = []
     for match in _SIGNS.finditer(text):
         called = re.findall(r"(\w+) = ", text[:match.start()])
         if not called or not called[-1].startswith(free or "="):
             signs.append(match)
-    for match in signs[::-(-len(signs) // MOST_SIGNS) or 1]:
+    for match in spread(signs):
         binary = text[match.end()].isspace()
         flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
         yield text[:match.start()] + flipped + text[match.end():]

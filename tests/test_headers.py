@@ -137,7 +137,8 @@ def test_fast_math_is_refused_unless_allowed(flag, header, compiler, language, t
         return
     command = (compiler, flag, "-fsyntax-only", "-I", INCLUDE)
     for dialect in (language, [word.replace("=c", "=gnu") for word in language]):
-        refused = subprocess.run((*command, *dialect, source), capture_output=True, text=True)
+        refused = subprocess.run((*command, *dialect, "-Wfatal-errors", source),
+                                 capture_output=True, text=True)
         assert refused.returncode and "KSL_ALLOW_FAST_MATH" in refused.stderr
     run((*command, *language, source, "-DKSL_ALLOW_FAST_MATH"))
 

@@ -179,11 +179,16 @@ RUNS = {"C": run_c, "Python": run_python}
 @each_operation
 @each_precision
 def test_text_is_its_kernel(operation, precision, language):
-    rules, seen = Rules(precision, rounds=True), set()
-    for row in rows(operation, precision):
-        wanted = run_kernel(operation, rules, row, seen)
+    rules = Rules(precision, rounds=True)
+    for row, wanted in zip(rows(operation, precision), results(operation, precision), strict=True):
         found = RUNS[language](operation, rules, row)
         assert not differs(found, wanted), [[float(x).hex() for x in part] for part in row]
+
+
+@each_operation
+@each_precision
+def test_rows_take_every_branch(operation, precision):
+    _, seen = evaluated(operation, precision)
     conditions = {test for test, _ in seen}
     assert {(test, value) for test in conditions for value in (True, False)} == seen
 
@@ -235,11 +240,16 @@ def is_kernel(operation: Operation, precision: Precision, run: Run) -> bool:
                    zip(rows(operation, precision), results(operation, precision), strict=True))
 
 
-@cache
 def results(operation: Operation, precision: Precision) -> list[list[mp.mpf]]:
     """Of the kernel, for each row."""
-    rules = Rules(precision, rounds=True)
-    return [run_kernel(operation, rules, row) for row in rows(operation, precision)]
+    return evaluated(operation, precision)[0]
+
+
+@cache
+def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mp.mpf]], set]:
+    """The kernel's results for each row, and the conditions met."""
+    rules, seen = Rules(precision, rounds=True), set()
+    return [run_kernel(operation, rules, row, seen) for row in rows(operation, precision)], seen
 
 
 def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mp.mpf]) -> bool:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.targets.c_ksl import MARK
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests import c_calls
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
@@ -33,16 +33,19 @@ TIER_NAMES = ("", *(tier.name for tier in TIERS))
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if _links(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 
-# The tiers' kernels are written by the same printer as plain's: one compiler with sanitizers, one
-# that optimises, for each.
-RUNS = (*(("", *build) for build in BUILDS),
-        *((tier, *build) for tier in TIER_NAMES[1:] for build in (BUILDS[0], BUILDS[-1])))
+# One printer writes all kernels and both precisions: plain's are built in half of the ways in either
+# precision, those of each tier by one compiler with sanitizers and one that optimises.
+SANITIZED, OPTIMISED = BUILDS[:len(BUILDS) - len(COMPILERS)], BUILDS[-len(COMPILERS):]
+RUNS = (*((DOUBLE, "", *build) for build in (*SANITIZED[:1], *OPTIMISED[-1:])),
+        *((SINGLE, "", *build) for build in (*SANITIZED[-1:], *OPTIMISED[:1])),
+        *((precision, tier, *build) for precision in PRECISIONS for tier in TIER_NAMES[1:]
+          for build in (BUILDS[0], BUILDS[-1])))
 
 
-@pytest.mark.parametrize("tier, compiler, flags", RUNS, ids=lambda x: (
-    x or "plain" if isinstance(x, str) else x[0].strip("-")))
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-def test_aliased_arguments_give_the_same_bits(precision: Precision, compiler: str, tier: str,
+@pytest.mark.parametrize("precision, tier, compiler, flags", RUNS, ids=lambda x: (
+    x.name if isinstance(x, Precision) else x or "plain" if isinstance(x, str)
+    else x[0].strip("-")))
+def test_aliased_arguments_give_the_same_bits(precision: Precision, tier: str, compiler: str,
                                               flags: tuple[str, ...], tmp_path: Path):
     """The sanitizers stop at the first access outside an object and at undefined behaviour."""
     source, binary = tmp_path / "calls.c", tmp_path / "calls"

@@ -95,9 +95,9 @@ def test_shares_of_a_sum_are_exact():
 @operations
 def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: Precision):
     """Also where products underflow; and the bound is finite unless something may overflow."""
-    inputs = extreme_rows(operation, precision, 10 * ROWS, SEED)
+    inputs = extreme_rows(operation, precision, 4 * ROWS, SEED)
     worst = attack(operation, precision, "certified", inputs, twin(coscrew.certified))
-    assert worst.outputs >= 2 * ROWS
+    assert worst.outputs >= ROWS
     assert worst.ratio <= 1, f"{worst.ratio} of the bound for {worst.witness}"
     results, certified = (twin(of)(operation, precision, inputs)
                           for of in (coscrew, coscrew.certified))
