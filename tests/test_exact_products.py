@@ -57,7 +57,9 @@ def numbers() -> tuple[np.ndarray, ...]:
     with np.errstate(all="ignore"):
         p = a * b
         share = p * (1 + np.ldexp(rng.uniform(-1, 1, len(p)), rng.integers(-52, 0, len(p))))
-    return a, b, p, np.where(rng.random(len(p)) < 0.1, p, share)
+    h = np.where(rng.random(len(p)) < 0.1, p, share)
+    zeros = (p == 0) & (rng.random(len(p)) < 0.5)  # of either sign beside either
+    return a, b, p, np.where(zeros, -h, h)
 
 
 def truth(a: float, b: float, c: float) -> float:

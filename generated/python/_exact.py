@@ -25,7 +25,8 @@ def product_error(a, b, p):
 def product_rest(a, b, p, h):
     """a b - h rounded once, where p is a b rounded and p - h is exact."""
     with np.errstate(all="ignore"):
-        found = (p - h) + _dekker(a, b, p)
+        rest, error = p - h, _dekker(a, b, p)
+        found = np.where(error == 0, rest, rest + error)[()]  # -0 stays -0
     return _elsewhere(_split(a, b, p), found, a, b, h)
 
 

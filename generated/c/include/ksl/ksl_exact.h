@@ -58,7 +58,7 @@ static inline double ksl_product_rest(
 #else
   if (!ksl_splits(a, b, p)) { return fma(a, b, -h); }
   const double rest = p - h, error = ksl_product_error(a, b, p);
-  return rest + error;
+  return error == 0.0 ? rest : rest + error; /* -0 stays -0 */
 #endif
 }
 
