@@ -50,6 +50,13 @@ def zeros(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
     return np.where(rng.random(x.shape) < 0.5, np.copysign(dtype.type(0), x), x)
 
 
+def few_numbers(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
+    """Of which sums of products are often zero, of either sign, and small beside huge."""
+    info = np.finfo(dtype)
+    numbers = np.array([0, 0, 1, 1, 0.3, 2.5, 7, info.smallest_subnormal, info.max / 8], dtype)
+    return rng.choice(numbers, (n, len(inside))) * rng.choice((-1, 1), (n, len(inside)))
+
+
 def equal_inputs(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
     """Inputs of the same shape are equal."""
     return ordinary(rng, n, np.arange(36), dtype)[:, inside]
@@ -97,8 +104,8 @@ def not_a_number(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) ->
 
 
 KINDS: tuple[Callable[[Generator, int, np.ndarray, np.dtype], Rows], ...] = (
-    ordinary, moderate_exponents, all_exponents, zeros, equal_inputs, near_cancellation, subnormal,
-    huge, edges, infinite, not_a_number)
+    ordinary, moderate_exponents, all_exponents, zeros, few_numbers, equal_inputs, near_cancellation,
+    subnormal, huge, edges, infinite, not_a_number)
 
 
 def _of_exponents(rng: Generator, shape: tuple[int, int], dtype: np.dtype, most: int) -> Rows:

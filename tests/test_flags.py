@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.operations import OPERATIONS
-from tests.bits_program import kernels, text, wanted
+from tests.bits_program import Kernel, kernels, text, wanted
 from tests.c_harness import COMPILERS, INCLUDE, run
 
 # Of every shape there is: sums of two and three products, differences, chains, quotients, roots.
@@ -18,7 +18,10 @@ CHOSEN = ("cross_vv", "dot_vv", "vec3_normalized", "product_drv", "mat3x3_determ
           "product_CoAdc", "product_CoAdtc", "cross_sc", "cross_ss", "axpy_cc", "dot_cs",
           "quaternion_product_qq", "hctx", "product_Bs", "mat3x3_orthonormalized")
 BEHIND = ("cross_vv", "dot_cs", "product_CoAdtc", "cross_sc", "vec3_normalized")
-KERNELS = (*kernels("", CHOSEN), *kernels("accurate", BEHIND), *kernels("certified", BEHIND))
+NEGATED = ("product_avinv", "product_drvinv", "hsrainv", "quaternion_product_qq")  # fused sums
+KERNELS = (*kernels("", CHOSEN), *kernels("accurate", BEHIND + NEGATED),
+           *kernels("certified", BEHIND))
+FUSED = kernels("fused", BEHIND + NEGATED)
 X86 = platform.machine() in ("x86_64", "AMD64")
 
 
@@ -47,20 +50,28 @@ def test_chosen_kernels_exist():
     names = {op.name for op in OPERATIONS}
     assert len([name for name in CHOSEN if name in names]) > 10
     assert {k.tier for k in KERNELS} == {"", "accurate", "certified"}
+    assert {"accurate", "fused"} == {k.tier for k in (*KERNELS, *FUSED)
+                                     if k.operation.name == "product_drvinv"}
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """The twins' hashes; of the fused tier, which Python has not, those by the C library's fma."""
+    return wanted(KERNELS) + printed(tmp_path_factory.mktemp("fused"), ("gcc", "-O0"), FUSED)
 
 
 @pytest.mark.parametrize("compiler, flags", BUILDS,
                          ids=[" ".join((name, *flags)) for name, flags in BUILDS])
-def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    found = printed(tmp_path, (compiler, *flags))
-    wrong = [line for line, right in zip(found, wanted(KERNELS), strict=True) if line != right]
-    assert not wrong
+def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], right: list[str],
+                            tmp_path: Path):
+    found = printed(tmp_path, (compiler, *flags), KERNELS + FUSED)
+    assert [line for line, want in zip(found, right, strict=True) if line != want] == []
 
 
-def printed(folder: Path, command: tuple[str, ...]) -> list[str]:
-    """What the program prints that this command compiles."""
+def printed(folder: Path, command: tuple[str, ...], chosen: tuple[Kernel, ...]) -> list[str]:
+    """What the program of these kernels prints that this command compiles."""
     source, binary = folder / "bits.c", folder / "bits"
-    source.write_text(text(KERNELS))
+    source.write_text(text(chosen))
     run((*command, "-I", INCLUDE, source, "-o", binary, "-lm"))
     return run([binary]).splitlines()
 
@@ -75,5 +86,6 @@ def test_a_fused_product_would_be_noticed(compiler: str, tmp_path: Path):
     plain = header.read_text().replace('#pragma GCC optimize("fp-contract=off")', "")
     plain = plain.replace("__builtin_assoc_barrier", "").replace("KSL_HAS_FMA &&", "0 &&")
     header.write_text(plain.replace("KSL_HAS_FMAF &&", "0 &&"))
-    found = printed(tmp_path, (compiler, "-I", str(include), "-O3", *FMA, "-ffp-contract=fast"))
+    found = printed(tmp_path, (compiler, "-I", str(include), "-O3", *FMA, "-ffp-contract=fast"),
+                    KERNELS)
     assert found != wanted(KERNELS)

@@ -127,16 +127,10 @@ def same_bits(got: Arrays, want: Arrays) -> bool:
                          ids=lambda module: module.__name__)
 def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation,
                                           precision: Precision, folder: Path):
-    """With an fma instruction and, at -O0 and in gufuncs, without: both compute the same
-    exact errors.  The certified tier's bits agree for any numbers, the accurate tier's
-    within the safe range."""
+    """With an fma instruction and, at -O0 and in the twins, without: both compute the same exact
+    errors, whatever the numbers."""
     name = tier.__name__.removeprefix("coscrew.")
-    inputs = tuple(np.concatenate([x] * 20) for x in rows(operation, precision, ROWS, SEED + 1))
-    rng = np.random.default_rng(3)
-    inputs = tuple((x * np.exp2(rng.integers(-20, 20, size=x.shape))).astype(x.dtype)
-                   for x in inputs)
-    if name == "certified":
-        inputs = extreme_rows(operation, precision, 10 * ROWS, SEED)
+    inputs = extreme_rows(operation, precision, 10 * ROWS, SEED)
     want = twin(tier)(operation, precision, inputs)
     assert tier.COMPILED
     with np.errstate(all="ignore"):

@@ -35,7 +35,7 @@ OPERATIONS = (
               lambda D, axis: Ad(D) * stack(axis, sp.zeros(3, 1))),
     _SPACE.op("hsrainv", "so = -(t×R a ; R a), a = axis in the body's frame", (_D, _axis), (_so,),
               lambda D, axis: -Ad(D) * stack(sp.zeros(3, 1), axis),
-              lambda let, D, axis: -_about(let, D, axis)),
+              lambda let, D, axis: _about(let, D, -axis)),
     _SPACE.op("hstainv", "so = -(R a ; 0), a = axis in the body's frame", (_D, _axis), (_so,),
               lambda D, axis: -Ad(D) * stack(axis, sp.zeros(3, 1))),
     _SPACE.op("ad", "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]]", (_s,), (_M,), ad),

@@ -27,12 +27,22 @@ class Compensator:
         if step.op is Op.MUL:
             self._product(step)
         elif step.op is Op.NEG:
-            low = self.low(step, step.operands[0])
-            self.steps.append(step)
-            if low is not None:
-                self._low[step.name] = self.issue(step, Op.NEG, (low,), "lo")
+            self._negation(step)
         else:
             self._sum(step)
+
+    def _negation(self, step: Instruction) -> None:
+        """-a, -a_lo.  What a product's own error is added to is negated, not that error."""
+        name = getattr(step.operands[0], "name", "")
+        product = self._products.get(name)
+        self.steps.append(step)
+        if name in self._low:
+            suffix = "lo" if product is None else "cross"
+            self._low[step.name] = self.issue(step, Op.NEG, (self._low[name],), suffix)
+        if product is not None:
+            a, b = product.operands
+            a = self.issue(step, Op.NEG, (a,), "factor")
+            self._products[step.name] = replace(step, op=Op.MUL, operands=(a, b))
 
     def _product(self, step: Instruction) -> None:
         """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo.  A power of two rounds nothing."""

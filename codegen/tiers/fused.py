@@ -8,10 +8,12 @@ from collections import Counter
 from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Program, Ref
+from coscrew_codegen.tiers.negation import negating_terms
 
 
 def fused(program: Program) -> Program:
     """The plain program with fused multiply-adds."""
+    program = negating_terms(program)
     uses = Counter(x.name for step in program.instructions for x in step.operands
                    if isinstance(x, Ref))
     uses.update(x.name for x in program.results if isinstance(x, Ref))

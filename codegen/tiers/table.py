@@ -12,6 +12,7 @@ from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.tiers.accurate import COMPENSATED, accurate
 from coscrew_codegen.tiers.certified import DOUBLE, SINGLE, certified, certified_operation
 from coscrew_codegen.tiers.fused import fused
+from coscrew_codegen.tiers.negation import negating_terms
 
 _POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
 _UNROUNDED = {Op.NEG, Op.ABS, Op.SELECT, Op.LESS, Op.EQUAL, Op.SCALE}
@@ -62,6 +63,7 @@ def widened(program: Program) -> Program:
         value = Fraction(float(np.float32(x.single.numerator / x.single.denominator)))
         return Constant(value, value)
 
+    program = negating_terms(program)  # C fuses exact products into sums
     steps = tuple(replace(step, operands=tuple(map(narrow, step.operands)))
                   for step in program.instructions)
     return replace(program, instructions=steps, wide=True)

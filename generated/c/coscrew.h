@@ -9159,23 +9159,20 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
      barring over- and underflow. */
 static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+      a_0d = KSL_MUL(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+      a_1d = KSL_MUL(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
+      a_2d = KSL_MUL(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -10369,23 +10366,20 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
      barring over- and underflow. */
 static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
   const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
   const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
   const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
-  const float so_3 = -a_0;
-  const float so_4 = -a_1;
-  const float so_5 = -a_2;
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.

@@ -1138,15 +1138,12 @@ static inline double ksl_dot_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul, 3 add, 3 product error, 6 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_accurate(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(k, v->x), vo_0a_lo = ksl_product_error(k, v->x, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(k, v->y), vo_1a_lo = ksl_product_error(k, v->y, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(k, v->z), vo_2a_lo = ksl_product_error(k, v->z, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a, vo_0_factor = -k;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a, vo_1_factor = -k;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a, vo_2_factor = -k;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, v->x, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, v->y, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, v->z, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -5344,17 +5341,17 @@ static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) 
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
   const double self_03_new_a = (double)self->m00 * (double)self->m03,
-      self_03_new_c = ksl_product_sum((double)self->m10, (double)self->m13, self_03_new_a),
-      self_03_new_e = ksl_product_sum((double)self->m20, (double)self->m23, self_03_new_c),
-      self_03_new = -self_03_new_e;
+      self_03_new_c_lead = -self_03_new_a,
+      self_03_new_c = ksl_product_sum(-(double)self->m10, (double)self->m13, self_03_new_c_lead),
+      self_03_new = ksl_product_sum(-(double)self->m20, (double)self->m23, self_03_new_c);
   const double self_13_new_a = (double)self->m01 * (double)self->m03,
-      self_13_new_c = ksl_product_sum((double)self->m11, (double)self->m13, self_13_new_a),
-      self_13_new_e = ksl_product_sum((double)self->m21, (double)self->m23, self_13_new_c),
-      self_13_new = -self_13_new_e;
+      self_13_new_c_lead = -self_13_new_a,
+      self_13_new_c = ksl_product_sum(-(double)self->m11, (double)self->m13, self_13_new_c_lead),
+      self_13_new = ksl_product_sum(-(double)self->m21, (double)self->m23, self_13_new_c);
   const double self_23_new_a = (double)self->m02 * (double)self->m03,
-      self_23_new_c = ksl_product_sum((double)self->m12, (double)self->m13, self_23_new_a),
-      self_23_new_e = ksl_product_sum((double)self->m22, (double)self->m23, self_23_new_c),
-      self_23_new = -self_23_new_e;
+      self_23_new_c_lead = -self_23_new_a,
+      self_23_new_c = ksl_product_sum(-(double)self->m12, (double)self->m13, self_23_new_c_lead),
+      self_23_new = ksl_product_sum(-(double)self->m22, (double)self->m23, self_23_new_c);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -5378,15 +5375,15 @@ static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)D->m03,
-      Do_03c = ksl_product_sum((double)D->m10, (double)D->m13, Do_03a),
-      Do_03e = ksl_product_sum((double)D->m20, (double)D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = (double)D->m01 * (double)D->m03,
-      Do_13c = ksl_product_sum((double)D->m11, (double)D->m13, Do_13a),
-      Do_13e = ksl_product_sum((double)D->m21, (double)D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = (double)D->m02 * (double)D->m03,
-      Do_23c = ksl_product_sum((double)D->m12, (double)D->m13, Do_23a),
-      Do_23e = ksl_product_sum((double)D->m22, (double)D->m23, Do_23c), Do_23 = -Do_23e;
+  const double Do_03a = (double)D->m00 * (double)D->m03, Do_03c_lead = -Do_03a,
+      Do_03c = ksl_product_sum(-(double)D->m10, (double)D->m13, Do_03c_lead),
+      Do_03 = ksl_product_sum(-(double)D->m20, (double)D->m23, Do_03c);
+  const double Do_13a = (double)D->m01 * (double)D->m03, Do_13c_lead = -Do_13a,
+      Do_13c = ksl_product_sum(-(double)D->m11, (double)D->m13, Do_13c_lead),
+      Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23, Do_13c);
+  const double Do_23a = (double)D->m02 * (double)D->m03, Do_23c_lead = -Do_23a,
+      Do_23c = ksl_product_sum(-(double)D->m12, (double)D->m13, Do_23c_lead),
+      Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23, Do_23c);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -7135,15 +7132,12 @@ static inline void ksl_product_ddtx_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, k), vo_0a_lo = ksl_product_error(R->m00, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m10, k), vo_1a_lo = ksl_product_error(R->m10, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m20, k), vo_2a_lo = ksl_product_error(R->m20, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a, vo_0_factor = -R->m00;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a, vo_1_factor = -R->m10;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a, vo_2_factor = -R->m20;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -7500,15 +7494,12 @@ static inline void ksl_product_ddty_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m01, k), vo_0a_lo = ksl_product_error(R->m01, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m11, k), vo_1a_lo = ksl_product_error(R->m11, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m21, k), vo_2a_lo = ksl_product_error(R->m21, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a, vo_0_factor = -R->m01;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a, vo_1_factor = -R->m11;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a, vo_2_factor = -R->m21;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -7865,15 +7856,12 @@ static inline void ksl_product_ddtz_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m02, k), vo_0a_lo = ksl_product_error(R->m02, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m12, k), vo_1a_lo = ksl_product_error(R->m12, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m22, k), vo_2a_lo = ksl_product_error(R->m22, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a, vo_0_factor = -R->m02;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a, vo_1_factor = -R->m12;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a, vo_2_factor = -R->m22;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -8071,15 +8059,15 @@ static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_v
      over- and underflow. */
 static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x,
-      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
-      vo_0e = ksl_product_sum((double)R->m02, (double)v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m10 * (double)v->x,
-      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
-      vo_1e = ksl_product_sum((double)R->m12, (double)v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m20 * (double)v->x,
-      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
-      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x, vo_0c_lead = -vo_0a,
+      vo_0c = ksl_product_sum(-(double)R->m01, (double)v->y, vo_0c_lead),
+      vo_0 = ksl_product_sum(-(double)R->m02, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m10 * (double)v->x, vo_1c_lead = -vo_1a,
+      vo_1c = ksl_product_sum(-(double)R->m11, (double)v->y, vo_1c_lead),
+      vo_1 = ksl_product_sum(-(double)R->m12, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m20 * (double)v->x, vo_2c_lead = -vo_2a,
+      vo_2c = ksl_product_sum(-(double)R->m21, (double)v->y, vo_2c_lead),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -8113,15 +8101,15 @@ static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x,
-      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
-      vo_0e = ksl_product_sum((double)R->m20, (double)v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m01 * (double)v->x,
-      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
-      vo_1e = ksl_product_sum((double)R->m21, (double)v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m02 * (double)v->x,
-      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
-      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x, vo_0c_lead = -vo_0a,
+      vo_0c = ksl_product_sum(-(double)R->m10, (double)v->y, vo_0c_lead),
+      vo_0 = ksl_product_sum(-(double)R->m20, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m01 * (double)v->x, vo_1c_lead = -vo_1a,
+      vo_1c = ksl_product_sum(-(double)R->m11, (double)v->y, vo_1c_lead),
+      vo_1 = ksl_product_sum(-(double)R->m21, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m02 * (double)v->x, vo_2c_lead = -vo_2a,
+      vo_2c = ksl_product_sum(-(double)R->m12, (double)v->y, vo_2c_lead),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -11458,64 +11446,64 @@ static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
       a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
       a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
       a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
-      a_0 = a_0c + a_0d, a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right,
-      a_0_left_rest = a_0c - a_0_left,
-      a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
-      a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
+      a_0e = a_0c + a_0d, a_0e_right = a_0e - a_0c, a_0e_left = a_0e - a_0e_right,
+      a_0e_left_rest = a_0c - a_0e_left,
+      a_0e_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0e_right),
+      a_0e_lo1 = a_0e_left_rest + a_0e_right_rest, a_0e_lo = a_0e_lo1 + a_0c_lo, a_0 = -a_0e,
+      a_0_lo = -a_0e_lo;
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
       a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
       a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
       a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
       a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
-      a_1 = a_1c + a_1d, a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right,
-      a_1_left_rest = a_1c - a_1_left,
-      a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
-      a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
+      a_1e = a_1c + a_1d, a_1e_right = a_1e - a_1c, a_1e_left = a_1e - a_1e_right,
+      a_1e_left_rest = a_1c - a_1e_left,
+      a_1e_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1e_right),
+      a_1e_lo1 = a_1e_left_rest + a_1e_right_rest, a_1e_lo = a_1e_lo1 + a_1c_lo, a_1 = -a_1e,
+      a_1_lo = -a_1e_lo;
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
       a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
       a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
       a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
       a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
-      a_2 = a_2c + a_2d, a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right,
-      a_2_left_rest = a_2c - a_2_left,
-      a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
-      a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0a_cross2 = KSL_MUL(D->m23, a_1_lo),
-      so_0b = KSL_MUL(D->m13, a_2), so_0b_cross2 = KSL_MUL(D->m13, a_2_lo), so_0 = so_0a - so_0b,
+      a_2e = a_2c + a_2d, a_2e_right = a_2e - a_2c, a_2e_left = a_2e - a_2e_right,
+      a_2e_left_rest = a_2c - a_2e_left,
+      a_2e_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2e_right),
+      a_2e_lo1 = a_2e_left_rest + a_2e_right_rest, a_2e_lo = a_2e_lo1 + a_2c_lo, a_2 = -a_2e,
+      a_2_lo = -a_2e_lo;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0a_cross2 = KSL_MUL(D->m13, a_2_lo),
+      so_0b = KSL_MUL(D->m23, a_1), so_0b_cross2 = KSL_MUL(D->m23, a_1_lo), so_0 = so_0a - so_0b,
       so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m23, a_1, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m13, a_2, so_0b, so_0_right),
+      so_0_left_rest = ksl_product_rest(D->m13, a_2, so_0a, so_0_left),
+      so_0_right_rest = ksl_product_rest(D->m23, a_1, so_0b, so_0_right),
       so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1a_cross2 = KSL_MUL(D->m03, a_2_lo),
-      so_1b = KSL_MUL(D->m23, a_0), so_1b_cross2 = KSL_MUL(D->m23, a_0_lo), so_1 = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1a_cross2 = KSL_MUL(D->m23, a_0_lo),
+      so_1b = KSL_MUL(D->m03, a_2), so_1b_cross2 = KSL_MUL(D->m03, a_2_lo), so_1 = so_1a - so_1b,
       so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m03, a_2, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m23, a_0, so_1b, so_1_right),
+      so_1_left_rest = ksl_product_rest(D->m23, a_0, so_1a, so_1_left),
+      so_1_right_rest = ksl_product_rest(D->m03, a_2, so_1b, so_1_right),
       so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2a_cross2 = KSL_MUL(D->m13, a_0_lo),
-      so_2b = KSL_MUL(D->m03, a_1), so_2b_cross2 = KSL_MUL(D->m03, a_1_lo), so_2 = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2a_cross2 = KSL_MUL(D->m03, a_1_lo),
+      so_2b = KSL_MUL(D->m13, a_0), so_2b_cross2 = KSL_MUL(D->m13, a_0_lo), so_2 = so_2a - so_2b,
       so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m13, a_0, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m03, a_1, so_2b, so_2_right),
+      so_2_left_rest = ksl_product_rest(D->m03, a_1, so_2a, so_2_left),
+      so_2_right_rest = ksl_product_rest(D->m13, a_0, so_2b, so_2_right),
       so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
       so_2_lo = so_2_lo1 + so_2_cross;
-  const double so_3 = -a_0, so_3_lo = -a_0_lo;
-  const double so_4 = -a_1, so_4_lo = -a_1_lo;
-  const double so_5 = -a_2, so_5_lo = -a_2_lo;
   const double so_0_rounded = so_0 + so_0_lo;
   const double so_1_rounded = so_1 + so_1_lo;
   const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+  const double a_0_rounded = a_0 + a_0_lo;
+  const double a_1_rounded = a_1 + a_1_lo;
+  const double a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
-  so->m3 = so_3_rounded;
-  so->m4 = so_4_rounded;
-  so->m5 = so_5_rounded;
+  so->m3 = a_0_rounded;
+  so->m4 = a_1_rounded;
+  so->m5 = a_2_rounded;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -12042,24 +12030,24 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
      over- and underflow. */
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0,
-      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
-      so_0e = ksl_product_sum((double)R->m02, (double)si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = (double)R->m10 * (double)si->m0,
-      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
-      so_1e = ksl_product_sum((double)R->m12, (double)si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = (double)R->m20 * (double)si->m0,
-      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
-      so_2e = ksl_product_sum((double)R->m22, (double)si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = (double)R->m00 * (double)si->m3,
-      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
-      so_3e = ksl_product_sum((double)R->m02, (double)si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = (double)R->m10 * (double)si->m3,
-      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
-      so_4e = ksl_product_sum((double)R->m12, (double)si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = (double)R->m20 * (double)si->m3,
-      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
-      so_5e = ksl_product_sum((double)R->m22, (double)si->m5, so_5c), so_5 = -so_5e;
+  const double so_0a = (double)R->m00 * (double)si->m0, so_0c_lead = -so_0a,
+      so_0c = ksl_product_sum(-(double)R->m01, (double)si->m1, so_0c_lead),
+      so_0 = ksl_product_sum(-(double)R->m02, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m10 * (double)si->m0, so_1c_lead = -so_1a,
+      so_1c = ksl_product_sum(-(double)R->m11, (double)si->m1, so_1c_lead),
+      so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m20 * (double)si->m0, so_2c_lead = -so_2a,
+      so_2c = ksl_product_sum(-(double)R->m21, (double)si->m1, so_2c_lead),
+      so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3, so_3c_lead = -so_3a,
+      so_3c = ksl_product_sum(-(double)R->m01, (double)si->m4, so_3c_lead),
+      so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m10 * (double)si->m3, so_4c_lead = -so_4a,
+      so_4c = ksl_product_sum(-(double)R->m11, (double)si->m4, so_4c_lead),
+      so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m20 * (double)si->m3, so_5c_lead = -so_5a,
+      so_5c = ksl_product_sum(-(double)R->m21, (double)si->m4, so_5c_lead),
+      so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -12150,24 +12138,24 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
-      w_0e = ksl_product_sum((double)D->m02, (double)si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)si->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
-      w_1e = ksl_product_sum((double)D->m12, (double)si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)si->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
-      w_2e = ksl_product_sum((double)D->m22, (double)si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)si->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
-      w_3e = ksl_product_sum((double)D->m02, (double)si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)si->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
-      w_4e = ksl_product_sum((double)D->m12, (double)si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)si->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
-      w_5e = ksl_product_sum((double)D->m22, (double)si->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)si->m0, w_0c_lead = -w_0a,
+      w_0c = ksl_product_sum(-(double)D->m01, (double)si->m1, w_0c_lead),
+      w_0 = ksl_product_sum(-(double)D->m02, (double)si->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)si->m0, w_1c_lead = -w_1a,
+      w_1c = ksl_product_sum(-(double)D->m11, (double)si->m1, w_1c_lead),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)si->m0, w_2c_lead = -w_2a,
+      w_2c = ksl_product_sum(-(double)D->m21, (double)si->m1, w_2c_lead),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)si->m3, w_3c_lead = -w_3a,
+      w_3c = ksl_product_sum(-(double)D->m01, (double)si->m4, w_3c_lead),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)si->m3, w_4c_lead = -w_4a,
+      w_4c = ksl_product_sum(-(double)D->m11, (double)si->m4, w_4c_lead),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)si->m3, w_5c_lead = -w_5a,
+      w_5c = ksl_product_sum(-(double)D->m21, (double)si->m4, w_5c_lead),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5, w_5c);
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -12522,30 +12510,27 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x,
-      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
-      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
-  const double a_1a = (double)D->m10 * (double)axis->x,
-      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
-      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
-  const double a_2a = (double)D->m20 * (double)axis->x,
-      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
-      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
-  const double so_0a = KSL_MUL((double)D->m23, a_1), so_0b = KSL_MUL((double)D->m13, a_2),
+  const double a_0a = (double)D->m00 * (double)axis->x, a_0c_lead = -a_0a,
+      a_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, a_0c_lead),
+      a_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x, a_1c_lead = -a_1a,
+      a_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, a_1c_lead),
+      a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x, a_2c_lead = -a_2a,
+      a_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, a_2c_lead),
+      a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, a_2c);
+  const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
       so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL((double)D->m03, a_2), so_1b = KSL_MUL((double)D->m23, a_0),
+  const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
       so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL((double)D->m13, a_0), so_2b = KSL_MUL((double)D->m03, a_1),
+  const double so_2a = KSL_MUL((double)D->m03, a_1), so_2b = KSL_MUL((double)D->m13, a_0),
       so_2 = so_2a - so_2b;
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
-  so->m3 = (float)so_3;
-  so->m4 = (float)so_4;
-  so->m5 = (float)so_5;
+  so->m3 = (float)a_0;
+  so->m4 = (float)a_1;
+  so->m5 = (float)a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -12555,15 +12540,15 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
      formula; barring over- and underflow. */
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x,
-      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
-      so_0e = ksl_product_sum((double)D->m02, (double)axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = (double)D->m10 * (double)axis->x,
-      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
-      so_1e = ksl_product_sum((double)D->m12, (double)axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = (double)D->m20 * (double)axis->x,
-      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
-      so_2e = ksl_product_sum((double)D->m22, (double)axis->z, so_2c), so_2 = -so_2e;
+  const double so_0a = (double)D->m00 * (double)axis->x, so_0c_lead = -so_0a,
+      so_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, so_0c_lead),
+      so_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, so_0c);
+  const double so_1a = (double)D->m10 * (double)axis->x, so_1c_lead = -so_1a,
+      so_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, so_1c_lead),
+      so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, so_1c);
+  const double so_2a = (double)D->m20 * (double)axis->x, so_2c_lead = -so_2a,
+      so_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, so_2c_lead),
+      so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, so_2c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -15704,24 +15689,24 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
      over- and underflow. */
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0,
-      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
-      co_0e = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = (double)R->m10 * (double)ci->m0,
-      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
-      co_1e = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = (double)R->m20 * (double)ci->m0,
-      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
-      co_2e = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = (double)R->m00 * (double)ci->m3,
-      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
-      co_3e = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = (double)R->m10 * (double)ci->m3,
-      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
-      co_4e = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = (double)R->m20 * (double)ci->m3,
-      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
-      co_5e = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c), co_5 = -co_5e;
+  const double co_0a = (double)R->m00 * (double)ci->m0, co_0c_lead = -co_0a,
+      co_0c = ksl_product_sum(-(double)R->m01, (double)ci->m1, co_0c_lead),
+      co_0 = ksl_product_sum(-(double)R->m02, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m10 * (double)ci->m0, co_1c_lead = -co_1a,
+      co_1c = ksl_product_sum(-(double)R->m11, (double)ci->m1, co_1c_lead),
+      co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m20 * (double)ci->m0, co_2c_lead = -co_2a,
+      co_2c = ksl_product_sum(-(double)R->m21, (double)ci->m1, co_2c_lead),
+      co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3, co_3c_lead = -co_3a,
+      co_3c = ksl_product_sum(-(double)R->m01, (double)ci->m4, co_3c_lead),
+      co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m10 * (double)ci->m3, co_4c_lead = -co_4a,
+      co_4c = ksl_product_sum(-(double)R->m11, (double)ci->m4, co_4c_lead),
+      co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m20 * (double)ci->m3, co_5c_lead = -co_5a,
+      co_5c = ksl_product_sum(-(double)R->m21, (double)ci->m4, co_5c_lead),
+      co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -15812,24 +15797,24 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
-      w_0e = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)ci->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
-      w_1e = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)ci->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
-      w_2e = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)ci->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
-      w_3e = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)ci->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
-      w_4e = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)ci->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
-      w_5e = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)ci->m0, w_0c_lead = -w_0a,
+      w_0c = ksl_product_sum(-(double)D->m01, (double)ci->m1, w_0c_lead),
+      w_0 = ksl_product_sum(-(double)D->m02, (double)ci->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)ci->m0, w_1c_lead = -w_1a,
+      w_1c = ksl_product_sum(-(double)D->m11, (double)ci->m1, w_1c_lead),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)ci->m0, w_2c_lead = -w_2a,
+      w_2c = ksl_product_sum(-(double)D->m21, (double)ci->m1, w_2c_lead),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)ci->m3, w_3c_lead = -w_3a,
+      w_3c = ksl_product_sum(-(double)D->m01, (double)ci->m4, w_3c_lead),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)ci->m3, w_4c_lead = -w_4a,
+      w_4c = ksl_product_sum(-(double)D->m11, (double)ci->m4, w_4c_lead),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)ci->m3, w_5c_lead = -w_5a,
+      w_5c = ksl_product_sum(-(double)D->m21, (double)ci->m4, w_5c_lead),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
@@ -19511,7 +19496,7 @@ static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
+   16 mul, 12 add, 1 neg.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
@@ -19528,10 +19513,10 @@ static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
       qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
       qo_2e = ksl_product_sum((double)q1i->z, (double)q2i->w, qo_2c),
       qo_2 = ksl_product_sum((double)q1i->w, (double)q2i->z, qo_2e);
-  const double qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
-      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
-      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
+  const double qo_3b = (double)q1i->x * (double)q2i->x, qo_3d_lead = -qo_3b,
+      qo_3d = ksl_product_sum(-(double)q1i->y, (double)q2i->y, qo_3d_lead),
+      qo_3f = ksl_product_sum(-(double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19598,7 +19583,7 @@ static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
+   16 mul, 12 add, 1 neg.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
@@ -19615,10 +19600,10 @@ static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i
       qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
       qo_2e = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2c),
       qo_2 = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2e);
-  const double qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
-      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
-      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
+  const double qo_3b = (double)q1i->x * (double)q2i->x, qo_3d_lead = -qo_3b,
+      qo_3d = ksl_product_sum(-(double)q1i->y, (double)q2i->y, qo_3d_lead),
+      qo_3f = ksl_product_sum(-(double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -19657,8 +19642,8 @@ static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_q
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
   const double qo_1a = (double)dci[0] * (double)qi->z,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
-  const double qo_2a = (double)dci[0] * (double)qi->y,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[0] * (double)qi->x,
       qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
@@ -19695,10 +19680,10 @@ static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->z,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
   const double qo_2a = (double)dci[0] * (double)qi->y,
       qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
   const double qo_3a = (double)dci[1] * (double)qi->w,
@@ -19760,8 +19745,8 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
     ksl_quaternionf_t *qo) {
   const double qo_0a = (double)qi->w * (double)dci[0],
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
-  const double qo_1a = (double)qi->y * (double)dci[1],
-      qo_1c = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_1c_lead);
   const double qo_2a = (double)qi->y * (double)dci[0],
       qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
   const double qo_3a = (double)qi->x * (double)dci[0],
@@ -19779,12 +19764,12 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_0c_lead);
   const double qo_1a = (double)qi->z * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
-  const double qo_2a = (double)qi->y * (double)dci[0],
-      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2c_lead);
   const double qo_3a = (double)qi->w * (double)dci[1],
       qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
@@ -19821,8 +19806,8 @@ static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
   const double qo_1a = (double)dci[0] * (double)qi->w,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
   const double qo_2a = (double)dci[0] * (double)qi->x,
@@ -19865,10 +19850,10 @@ static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0a = (double)dci[0] * (double)qi->z,
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
-  const double qo_1a = (double)dci[0] * (double)qi->w,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->x,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[1] * (double)qi->w,
       qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
@@ -19930,8 +19915,8 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
   const double qo_1a = (double)qi->w * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
-  const double qo_2a = (double)qi->x * (double)dci[0],
-      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2c_lead);
   const double qo_3a = (double)qi->y * (double)dci[0],
       qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
@@ -19947,10 +19932,10 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->y * (double)dci[1],
-      qo_1c = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_0c_lead);
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_1c_lead);
   const double qo_2a = (double)qi->x * (double)dci[0],
       qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
   const double qo_3a = (double)qi->w * (double)dci[1],
@@ -19991,8 +19976,8 @@ static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_q
     ksl_quaternionf_t *qo) {
   const double qo_0a = (double)dci[0] * (double)qi->y,
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
-  const double qo_1a = (double)dci[0] * (double)qi->x,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
   const double qo_2a = (double)dci[0] * (double)qi->w,
       qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
   const double qo_3a = (double)dci[0] * (double)qi->z,
@@ -20031,12 +20016,12 @@ static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
   const double qo_1a = (double)dci[0] * (double)qi->x,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
-  const double qo_2a = (double)dci[0] * (double)qi->w,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[1] * (double)qi->w,
       qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
@@ -20094,8 +20079,8 @@ static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_0c_lead);
   const double qo_1a = (double)qi->x * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
   const double qo_2a = (double)qi->w * (double)dci[0],
@@ -20117,10 +20102,10 @@ static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi
     const float dci[2], ksl_quaternionf_t *qo) {
   const double qo_0a = (double)qi->y * (double)dci[0],
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
-  const double qo_1a = (double)qi->x * (double)dci[0],
-      qo_1c = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->z * (double)dci[1],
-      qo_2c = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1c_lead);
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_2c_lead);
   const double qo_3a = (double)qi->w * (double)dci[1],
       qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
@@ -20145,9 +20130,9 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const k
   const double qo_2a = (double)qi->x * (double)vi->y,
       qo_2c = ksl_product_sum(-(double)qi->y, (double)vi->x, qo_2a),
       qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
-  const double qo_3a = (double)qi->x * (double)vi->x,
-      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
-      qo_3e = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3c_lead = -qo_3a,
+      qo_3c = ksl_product_sum(-(double)qi->y, (double)vi->y, qo_3c_lead),
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)vi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20195,9 +20180,9 @@ static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_qua
   const double qo_2a = (double)vi->x * (double)qi->y,
       qo_2c = ksl_product_sum(-(double)vi->y, (double)qi->x, qo_2a),
       qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
-  const double qo_3a = (double)vi->x * (double)qi->x,
-      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
-      qo_3e = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3c_lead = -qo_3a,
+      qo_3c = ksl_product_sum(-(double)vi->y, (double)qi->y, qo_3c_lead),
+      qo_3 = ksl_product_sum(-(double)vi->z, (double)qi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -20305,7 +20290,7 @@ static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_q
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   23 mul, 16 add.
+   23 mul, 16 add, 1 neg.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
@@ -20326,8 +20311,8 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
       dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, (double)qi->w), dqo_2e = dqo_2c + dqo_2d,
       dqo_2f = KSL_MUL((double)qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
   const double dqo_3a = KSL_MUL((double)qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, (double)qi->x),
-      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d = dqo_3b + dqo_3c,
-      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d_lead = -dqo_3b, dqo_3d = dqo_3d_lead - dqo_3c,
+      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d - dqo_3e, dqo_3 = dqo_3f + dqo_3a;
   dqo->x = (float)dqo_0;
   dqo->y = (float)dqo_1;
   dqo->z = (float)dqo_2;
@@ -21575,18 +21560,15 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   const double defect_2b = ksl_product_sum(-(double)self->m02, (double)self->m02, 1.0),
       defect_2d = ksl_product_sum(-(double)self->m12, (double)self->m12, defect_2b),
       defect_2 = ksl_product_sum(-(double)self->m22, (double)self->m22, defect_2d);
-  const double defect_3a = (double)self->m00 * (double)self->m01,
-      defect_3c = ksl_product_sum((double)self->m10, (double)self->m11, defect_3a),
-      defect_3e = ksl_product_sum((double)self->m20, (double)self->m21, defect_3c),
-      defect_3 = -defect_3e;
-  const double defect_4a = (double)self->m00 * (double)self->m02,
-      defect_4c = ksl_product_sum((double)self->m10, (double)self->m12, defect_4a),
-      defect_4e = ksl_product_sum((double)self->m20, (double)self->m22, defect_4c),
-      defect_4 = -defect_4e;
-  const double defect_5a = (double)self->m01 * (double)self->m02,
-      defect_5c = ksl_product_sum((double)self->m11, (double)self->m12, defect_5a),
-      defect_5e = ksl_product_sum((double)self->m21, (double)self->m22, defect_5c),
-      defect_5 = -defect_5e;
+  const double defect_3a = (double)self->m00 * (double)self->m01, defect_3c_lead = -defect_3a,
+      defect_3c = ksl_product_sum(-(double)self->m10, (double)self->m11, defect_3c_lead),
+      defect_3 = ksl_product_sum(-(double)self->m20, (double)self->m21, defect_3c);
+  const double defect_4a = (double)self->m00 * (double)self->m02, defect_4c_lead = -defect_4a,
+      defect_4c = ksl_product_sum(-(double)self->m10, (double)self->m12, defect_4c_lead),
+      defect_4 = ksl_product_sum(-(double)self->m20, (double)self->m22, defect_4c);
+  const double defect_5a = (double)self->m01 * (double)self->m02, defect_5c_lead = -defect_5a,
+      defect_5c = ksl_product_sum(-(double)self->m11, (double)self->m12, defect_5c_lead),
+      defect_5 = ksl_product_sum(-(double)self->m21, (double)self->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -21673,15 +21655,15 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
   const double defect_2b = ksl_product_sum(-(double)R->m02, (double)R->m02, 1.0),
       defect_2d = ksl_product_sum(-(double)R->m12, (double)R->m12, defect_2b),
       defect_2 = ksl_product_sum(-(double)R->m22, (double)R->m22, defect_2d);
-  const double defect_3a = (double)R->m00 * (double)R->m01,
-      defect_3c = ksl_product_sum((double)R->m10, (double)R->m11, defect_3a),
-      defect_3e = ksl_product_sum((double)R->m20, (double)R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = (double)R->m00 * (double)R->m02,
-      defect_4c = ksl_product_sum((double)R->m10, (double)R->m12, defect_4a),
-      defect_4e = ksl_product_sum((double)R->m20, (double)R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = (double)R->m01 * (double)R->m02,
-      defect_5c = ksl_product_sum((double)R->m11, (double)R->m12, defect_5a),
-      defect_5e = ksl_product_sum((double)R->m21, (double)R->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = (double)R->m00 * (double)R->m01, defect_3c_lead = -defect_3a,
+      defect_3c = ksl_product_sum(-(double)R->m10, (double)R->m11, defect_3c_lead),
+      defect_3 = ksl_product_sum(-(double)R->m20, (double)R->m21, defect_3c);
+  const double defect_4a = (double)R->m00 * (double)R->m02, defect_4c_lead = -defect_4a,
+      defect_4c = ksl_product_sum(-(double)R->m10, (double)R->m12, defect_4c_lead),
+      defect_4 = ksl_product_sum(-(double)R->m20, (double)R->m22, defect_4c);
+  const double defect_5a = (double)R->m01 * (double)R->m02, defect_5c_lead = -defect_5a,
+      defect_5c = ksl_product_sum(-(double)R->m11, (double)R->m12, defect_5c_lead),
+      defect_5 = ksl_product_sum(-(double)R->m21, (double)R->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -29937,15 +29919,17 @@ static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_
   const double l0_1 = (double)B->h.y / divisor0;
   const double l0_2 = (double)B->h.z / divisor0;
   const double u1_0a = KSL_MUL((double)B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
-  const double u1_1a = KSL_MUL((double)B->h.y, l0_0), u1_1b = u1_1a + (double)B->xy, u1_1 = -u1_1b;
-  const double u1_2a = KSL_MUL((double)B->h.z, l0_0), u1_2b = u1_2a + (double)B->xz, u1_2 = -u1_2b;
+  const double u1_1a = KSL_MUL((double)B->h.y, l0_0), u1_1b_lead = -u1_1a,
+      u1_1 = u1_1b_lead - (double)B->xy;
+  const double u1_2a = KSL_MUL((double)B->h.z, l0_0), u1_2b_lead = -u1_2a,
+      u1_2 = u1_2b_lead - (double)B->xz;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
   const double u2_0a = KSL_MUL((double)B->h.y, l0_1), u2_0b = sigma_1 - u2_0a,
       u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const double u2_1a = KSL_MUL((double)B->h.z, l0_1), u2_1b = u2_1a + (double)B->yz,
-      u2_1c = KSL_MUL(u1_2, l1_0), u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double u2_1a = KSL_MUL((double)B->h.z, l0_1), u2_1b_lead = -u2_1a,
+      u2_1b = u2_1b_lead - (double)B->yz, u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
   const double u3a = KSL_MUL((double)B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),

@@ -1093,15 +1093,15 @@ static inline void ksl_mat3x3f_setFromAxisDC_fused(ksl_mat3x3f_t *R, const ksl_v
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
-  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
-      self_03_new_c = fma(self->m10, self->m13, self_03_new_a),
-      self_03_new_e = fma(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
-      self_13_new_c = fma(self->m11, self->m13, self_13_new_a),
-      self_13_new_e = fma(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
-      self_23_new_c = fma(self->m12, self->m13, self_23_new_a),
-      self_23_new_e = fma(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
+  const double self_03_new_a = KSL_MUL(self->m00, self->m03), self_03_new_c_lead = -self_03_new_a,
+      self_03_new_c = fma(-self->m10, self->m13, self_03_new_c_lead),
+      self_03_new = fma(-self->m20, self->m23, self_03_new_c);
+  const double self_13_new_a = KSL_MUL(self->m01, self->m03), self_13_new_c_lead = -self_13_new_a,
+      self_13_new_c = fma(-self->m11, self->m13, self_13_new_c_lead),
+      self_13_new = fma(-self->m21, self->m23, self_13_new_c);
+  const double self_23_new_a = KSL_MUL(self->m02, self->m03), self_23_new_c_lead = -self_23_new_a,
+      self_23_new_c = fma(-self->m12, self->m13, self_23_new_c_lead),
+      self_23_new = fma(-self->m22, self->m23, self_23_new_c);
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
   const double self_m01 = self->m01;
@@ -1125,12 +1125,12 @@ static inline void ksl_SE3_invert_fused(ksl_SE3_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03c = fma(D->m10, D->m13, Do_03a),
-      Do_03e = fma(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13c = fma(D->m11, D->m13, Do_13a),
-      Do_13e = fma(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23c = fma(D->m12, D->m13, Do_23a),
-      Do_23e = fma(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
+  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03c_lead = -Do_03a,
+      Do_03c = fma(-D->m10, D->m13, Do_03c_lead), Do_03 = fma(-D->m20, D->m23, Do_03c);
+  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13c_lead = -Do_13a,
+      Do_13c = fma(-D->m11, D->m13, Do_13c_lead), Do_13 = fma(-D->m21, D->m23, Do_13c);
+  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23c_lead = -Do_23a,
+      Do_23c = fma(-D->m12, D->m13, Do_23c_lead), Do_23 = fma(-D->m22, D->m23, Do_23c);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -1160,15 +1160,15 @@ static inline void ksl_SE3_inverted_fused(const ksl_SE3_t *D, ksl_SE3_t *Do) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
-  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
-      self_03_new_c = fmaf(self->m10, self->m13, self_03_new_a),
-      self_03_new_e = fmaf(self->m20, self->m23, self_03_new_c), self_03_new = -self_03_new_e;
-  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
-      self_13_new_c = fmaf(self->m11, self->m13, self_13_new_a),
-      self_13_new_e = fmaf(self->m21, self->m23, self_13_new_c), self_13_new = -self_13_new_e;
-  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
-      self_23_new_c = fmaf(self->m12, self->m13, self_23_new_a),
-      self_23_new_e = fmaf(self->m22, self->m23, self_23_new_c), self_23_new = -self_23_new_e;
+  const float self_03_new_a = KSL_MULF(self->m00, self->m03), self_03_new_c_lead = -self_03_new_a,
+      self_03_new_c = fmaf(-self->m10, self->m13, self_03_new_c_lead),
+      self_03_new = fmaf(-self->m20, self->m23, self_03_new_c);
+  const float self_13_new_a = KSL_MULF(self->m01, self->m03), self_13_new_c_lead = -self_13_new_a,
+      self_13_new_c = fmaf(-self->m11, self->m13, self_13_new_c_lead),
+      self_13_new = fmaf(-self->m21, self->m23, self_13_new_c);
+  const float self_23_new_a = KSL_MULF(self->m02, self->m03), self_23_new_c_lead = -self_23_new_a,
+      self_23_new_c = fmaf(-self->m12, self->m13, self_23_new_c_lead),
+      self_23_new = fmaf(-self->m22, self->m23, self_23_new_c);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -1192,12 +1192,12 @@ static inline void ksl_SE3f_invert_fused(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03c = fmaf(D->m10, D->m13, Do_03a),
-      Do_03e = fmaf(D->m20, D->m23, Do_03c), Do_03 = -Do_03e;
-  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13c = fmaf(D->m11, D->m13, Do_13a),
-      Do_13e = fmaf(D->m21, D->m23, Do_13c), Do_13 = -Do_13e;
-  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23c = fmaf(D->m12, D->m13, Do_23a),
-      Do_23e = fmaf(D->m22, D->m23, Do_23c), Do_23 = -Do_23e;
+  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03c_lead = -Do_03a,
+      Do_03c = fmaf(-D->m10, D->m13, Do_03c_lead), Do_03 = fmaf(-D->m20, D->m23, Do_03c);
+  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13c_lead = -Do_13a,
+      Do_13c = fmaf(-D->m11, D->m13, Do_13c_lead), Do_13 = fmaf(-D->m21, D->m23, Do_13c);
+  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23c_lead = -Do_23a,
+      Do_23c = fmaf(-D->m12, D->m13, Do_23c_lead), Do_23 = fmaf(-D->m22, D->m23, Do_23c);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1254,12 +1254,12 @@ static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t
      and underflow. */
 static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
-      vo_0e = fma(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
-      vo_1e = fma(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
-      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fma(-R->m01, v->y, vo_0c_lead), vo_0 = fma(-R->m02, v->z, vo_0c);
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fma(-R->m11, v->y, vo_1c_lead), vo_1 = fma(-R->m12, v->z, vo_1c);
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fma(-R->m21, v->y, vo_2c_lead), vo_2 = fma(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1290,12 +1290,12 @@ static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
-      vo_0e = fma(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
-      vo_1e = fma(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
-      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fma(-R->m10, v->y, vo_0c_lead), vo_0 = fma(-R->m20, v->z, vo_0c);
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fma(-R->m11, v->y, vo_1c_lead), vo_1 = fma(-R->m21, v->z, vo_1c);
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fma(-R->m12, v->y, vo_2c_lead), vo_2 = fma(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2426,12 +2426,12 @@ static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3
      and underflow. */
 static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
-      vo_0e = fmaf(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
-      vo_1e = fmaf(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
-      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fmaf(-R->m01, v->y, vo_0c_lead), vo_0 = fmaf(-R->m02, v->z, vo_0c);
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fmaf(-R->m11, v->y, vo_1c_lead), vo_1 = fmaf(-R->m12, v->z, vo_1c);
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fmaf(-R->m21, v->y, vo_2c_lead), vo_2 = fmaf(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2462,12 +2462,12 @@ static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
-      vo_0e = fmaf(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
-      vo_1e = fmaf(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
-      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fmaf(-R->m10, v->y, vo_0c_lead), vo_0 = fmaf(-R->m20, v->z, vo_0c);
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fmaf(-R->m11, v->y, vo_1c_lead), vo_1 = fmaf(-R->m21, v->z, vo_1c);
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fmaf(-R->m12, v->y, vo_2c_lead), vo_2 = fmaf(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -3875,18 +3875,18 @@ static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
-      so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
-      so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
-      so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
-      so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
-      so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
-      so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c_lead = -so_0a,
+      so_0c = fma(-R->m01, si->m1, so_0c_lead), so_0 = fma(-R->m02, si->m2, so_0c);
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c_lead = -so_1a,
+      so_1c = fma(-R->m11, si->m1, so_1c_lead), so_1 = fma(-R->m12, si->m2, so_1c);
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c_lead = -so_2a,
+      so_2c = fma(-R->m21, si->m1, so_2c_lead), so_2 = fma(-R->m22, si->m2, so_2c);
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c_lead = -so_3a,
+      so_3c = fma(-R->m01, si->m4, so_3c_lead), so_3 = fma(-R->m02, si->m5, so_3c);
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c_lead = -so_4a,
+      so_4c = fma(-R->m11, si->m4, so_4c_lead), so_4 = fma(-R->m12, si->m5, so_4c);
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c_lead = -so_5a,
+      so_5c = fma(-R->m21, si->m4, so_5c_lead), so_5 = fma(-R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3965,18 +3965,18 @@ static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_
      barring over- and underflow. */
 static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
-      w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
-      w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
-      w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
-      w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
-      w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
-      w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c_lead = -w_0a,
+      w_0c = fma(-D->m01, si->m1, w_0c_lead), w_0 = fma(-D->m02, si->m2, w_0c);
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c_lead = -w_1a,
+      w_1c = fma(-D->m11, si->m1, w_1c_lead), w_1 = fma(-D->m12, si->m2, w_1c);
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c_lead = -w_2a,
+      w_2c = fma(-D->m21, si->m1, w_2c_lead), w_2 = fma(-D->m22, si->m2, w_2c);
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c_lead = -w_3a,
+      w_3c = fma(-D->m01, si->m4, w_3c_lead), w_3 = fma(-D->m02, si->m5, w_3c);
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c_lead = -w_4a,
+      w_4c = fma(-D->m11, si->m4, w_4c_lead), w_4 = fma(-D->m12, si->m5, w_4c);
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c_lead = -w_5a,
+      w_5c = fma(-D->m21, si->m4, w_5c_lead), w_5 = fma(-D->m22, si->m5, w_5c);
   const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
   const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
@@ -4274,24 +4274,21 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
-      a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
-      a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
-      a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c_lead = -a_0a,
+      a_0c = fma(-D->m01, axis->y, a_0c_lead), a_0 = fma(-D->m02, axis->z, a_0c);
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c_lead = -a_1a,
+      a_1c = fma(-D->m11, axis->y, a_1c_lead), a_1 = fma(-D->m12, axis->z, a_1c);
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c_lead = -a_2a,
+      a_2c = fma(-D->m21, axis->y, a_2c_lead), a_2 = fma(-D->m22, axis->z, a_2c);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2 = fma(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -4300,12 +4297,12 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
-      so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
-      so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
-      so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c_lead = -so_0a,
+      so_0c = fma(-D->m01, axis->y, so_0c_lead), so_0 = fma(-D->m02, axis->z, so_0c);
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c_lead = -so_1a,
+      so_1c = fma(-D->m11, axis->y, so_1c_lead), so_1 = fma(-D->m12, axis->z, so_1c);
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c_lead = -so_2a,
+      so_2c = fma(-D->m21, axis->y, so_2c_lead), so_2 = fma(-D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4602,18 +4599,18 @@ static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
-      so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
-      so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
-      so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
-      so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
-      so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
-      so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c_lead = -so_0a,
+      so_0c = fmaf(-R->m01, si->m1, so_0c_lead), so_0 = fmaf(-R->m02, si->m2, so_0c);
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c_lead = -so_1a,
+      so_1c = fmaf(-R->m11, si->m1, so_1c_lead), so_1 = fmaf(-R->m12, si->m2, so_1c);
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c_lead = -so_2a,
+      so_2c = fmaf(-R->m21, si->m1, so_2c_lead), so_2 = fmaf(-R->m22, si->m2, so_2c);
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c_lead = -so_3a,
+      so_3c = fmaf(-R->m01, si->m4, so_3c_lead), so_3 = fmaf(-R->m02, si->m5, so_3c);
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c_lead = -so_4a,
+      so_4c = fmaf(-R->m11, si->m4, so_4c_lead), so_4 = fmaf(-R->m12, si->m5, so_4c);
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c_lead = -so_5a,
+      so_5c = fmaf(-R->m21, si->m4, so_5c_lead), so_5 = fmaf(-R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -4692,18 +4689,18 @@ static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
-      w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
-      w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
-      w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
-      w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
-      w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
-      w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c_lead = -w_0a,
+      w_0c = fmaf(-D->m01, si->m1, w_0c_lead), w_0 = fmaf(-D->m02, si->m2, w_0c);
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c_lead = -w_1a,
+      w_1c = fmaf(-D->m11, si->m1, w_1c_lead), w_1 = fmaf(-D->m12, si->m2, w_1c);
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c_lead = -w_2a,
+      w_2c = fmaf(-D->m21, si->m1, w_2c_lead), w_2 = fmaf(-D->m22, si->m2, w_2c);
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c_lead = -w_3a,
+      w_3c = fmaf(-D->m01, si->m4, w_3c_lead), w_3 = fmaf(-D->m02, si->m5, w_3c);
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c_lead = -w_4a,
+      w_4c = fmaf(-D->m11, si->m4, w_4c_lead), w_4 = fmaf(-D->m12, si->m5, w_4c);
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c_lead = -w_5a,
+      w_5c = fmaf(-D->m21, si->m4, w_5c_lead), w_5 = fmaf(-D->m22, si->m5, w_5c);
   const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
   const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
   const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
@@ -5002,24 +4999,21 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
-      a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
-      a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
-      a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
-  const float so_3 = -a_0;
-  const float so_4 = -a_1;
-  const float so_5 = -a_2;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c_lead = -a_0a,
+      a_0c = fmaf(-D->m01, axis->y, a_0c_lead), a_0 = fmaf(-D->m02, axis->z, a_0c);
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c_lead = -a_1a,
+      a_1c = fmaf(-D->m11, axis->y, a_1c_lead), a_1 = fmaf(-D->m12, axis->z, a_1c);
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c_lead = -a_2a,
+      a_2c = fmaf(-D->m21, axis->y, a_2c_lead), a_2 = fmaf(-D->m22, axis->z, a_2c);
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2 = fmaf(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -5029,12 +5023,12 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
-      so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
-      so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
-      so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c_lead = -so_0a,
+      so_0c = fmaf(-D->m01, axis->y, so_0c_lead), so_0 = fmaf(-D->m02, axis->z, so_0c);
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c_lead = -so_1a,
+      so_1c = fmaf(-D->m11, axis->y, so_1c_lead), so_1 = fmaf(-D->m12, axis->z, so_1c);
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c_lead = -so_2a,
+      so_2c = fmaf(-D->m21, axis->y, so_2c_lead), so_2 = fmaf(-D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -5340,18 +5334,18 @@ static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
-      co_0e = fma(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
-      co_1e = fma(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
-      co_2e = fma(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
-      co_3e = fma(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
-      co_4e = fma(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
-      co_5e = fma(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c_lead = -co_0a,
+      co_0c = fma(-R->m01, ci->m1, co_0c_lead), co_0 = fma(-R->m02, ci->m2, co_0c);
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c_lead = -co_1a,
+      co_1c = fma(-R->m11, ci->m1, co_1c_lead), co_1 = fma(-R->m12, ci->m2, co_1c);
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c_lead = -co_2a,
+      co_2c = fma(-R->m21, ci->m1, co_2c_lead), co_2 = fma(-R->m22, ci->m2, co_2c);
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c_lead = -co_3a,
+      co_3c = fma(-R->m01, ci->m4, co_3c_lead), co_3 = fma(-R->m02, ci->m5, co_3c);
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c_lead = -co_4a,
+      co_4c = fma(-R->m11, ci->m4, co_4c_lead), co_4 = fma(-R->m12, ci->m5, co_4c);
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c_lead = -co_5a,
+      co_5c = fma(-R->m21, ci->m4, co_5c_lead), co_5 = fma(-R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -5430,18 +5424,18 @@ static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
-      w_0e = fma(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
-      w_1e = fma(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
-      w_2e = fma(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
-      w_3e = fma(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
-      w_4e = fma(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
-      w_5e = fma(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c_lead = -w_0a,
+      w_0c = fma(-D->m01, ci->m1, w_0c_lead), w_0 = fma(-D->m02, ci->m2, w_0c);
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c_lead = -w_1a,
+      w_1c = fma(-D->m11, ci->m1, w_1c_lead), w_1 = fma(-D->m12, ci->m2, w_1c);
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c_lead = -w_2a,
+      w_2c = fma(-D->m21, ci->m1, w_2c_lead), w_2 = fma(-D->m22, ci->m2, w_2c);
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c_lead = -w_3a,
+      w_3c = fma(-D->m01, ci->m4, w_3c_lead), w_3 = fma(-D->m02, ci->m5, w_3c);
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c_lead = -w_4a,
+      w_4c = fma(-D->m11, ci->m4, w_4c_lead), w_4 = fma(-D->m12, ci->m5, w_4c);
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c_lead = -w_5a,
+      w_5c = fma(-D->m21, ci->m4, w_5c_lead), w_5 = fma(-D->m22, ci->m5, w_5c);
   const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
   const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
@@ -6255,18 +6249,18 @@ static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
-      co_0e = fmaf(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
-      co_1e = fmaf(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
-      co_2e = fmaf(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
-      co_3e = fmaf(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
-      co_4e = fmaf(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
-      co_5e = fmaf(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c_lead = -co_0a,
+      co_0c = fmaf(-R->m01, ci->m1, co_0c_lead), co_0 = fmaf(-R->m02, ci->m2, co_0c);
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c_lead = -co_1a,
+      co_1c = fmaf(-R->m11, ci->m1, co_1c_lead), co_1 = fmaf(-R->m12, ci->m2, co_1c);
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c_lead = -co_2a,
+      co_2c = fmaf(-R->m21, ci->m1, co_2c_lead), co_2 = fmaf(-R->m22, ci->m2, co_2c);
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c_lead = -co_3a,
+      co_3c = fmaf(-R->m01, ci->m4, co_3c_lead), co_3 = fmaf(-R->m02, ci->m5, co_3c);
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c_lead = -co_4a,
+      co_4c = fmaf(-R->m11, ci->m4, co_4c_lead), co_4 = fmaf(-R->m12, ci->m5, co_4c);
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c_lead = -co_5a,
+      co_5c = fmaf(-R->m21, ci->m4, co_5c_lead), co_5 = fmaf(-R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -6345,18 +6339,18 @@ static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_co
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
-      w_0e = fmaf(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
-      w_1e = fmaf(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
-      w_2e = fmaf(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
-      w_3e = fmaf(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
-      w_4e = fmaf(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
-      w_5e = fmaf(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c_lead = -w_0a,
+      w_0c = fmaf(-D->m01, ci->m1, w_0c_lead), w_0 = fmaf(-D->m02, ci->m2, w_0c);
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c_lead = -w_1a,
+      w_1c = fmaf(-D->m11, ci->m1, w_1c_lead), w_1 = fmaf(-D->m12, ci->m2, w_1c);
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c_lead = -w_2a,
+      w_2c = fmaf(-D->m21, ci->m1, w_2c_lead), w_2 = fmaf(-D->m22, ci->m2, w_2c);
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c_lead = -w_3a,
+      w_3c = fmaf(-D->m01, ci->m4, w_3c_lead), w_3 = fmaf(-D->m02, ci->m5, w_3c);
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c_lead = -w_4a,
+      w_4c = fmaf(-D->m11, ci->m4, w_4c_lead), w_4 = fmaf(-D->m12, ci->m5, w_4c);
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c_lead = -w_5a,
+      w_5c = fmaf(-D->m21, ci->m4, w_5c_lead), w_5 = fmaf(-D->m22, ci->m5, w_5c);
   const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
   const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
   const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
@@ -6976,7 +6970,7 @@ static inline void ksl_rotate_qconjv_fused(const ksl_quaternion_t *q, const ksl_
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_quaternion_product_qq_fused(const ksl_quaternion_t *q1i,
@@ -6987,8 +6981,9 @@ static inline void ksl_quaternion_product_qq_fused(const ksl_quaternion_t *q1i,
       qo_1e = fma(q1i->y, q2i->w, qo_1c), qo_1 = fma(q1i->w, q2i->y, qo_1e);
   const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
       qo_2e = fma(q1i->z, q2i->w, qo_2c), qo_2 = fma(q1i->w, q2i->z, qo_2e);
-  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
-      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fma(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fma(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fma(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7039,7 +7034,7 @@ static inline void ksl_quaternion_product_qconjq_fused(const ksl_quaternion_t *q
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_quaternion_product_qconjqconj_fused(const ksl_quaternion_t *q1i,
@@ -7050,8 +7045,9 @@ static inline void ksl_quaternion_product_qconjqconj_fused(const ksl_quaternion_
       qo_1e = fma(-q1i->y, q2i->w, qo_1c), qo_1 = fma(-q1i->w, q2i->y, qo_1e);
   const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
       qo_2e = fma(-q1i->z, q2i->w, qo_2c), qo_2 = fma(-q1i->w, q2i->z, qo_2e);
-  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
-      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fma(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fma(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fma(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7084,7 +7080,8 @@ static inline void ksl_quaternion_product_qxqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0 = fma(-dci[1], qi->x, qo_0a);
   const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1 = fma(-dci[1], qi->y, qo_1a);
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3 = fma(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7116,8 +7113,10 @@ static inline void ksl_quaternion_product_qxconjq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qxconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
   const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->x, qo_3a);
   qo->x = qo_0;
@@ -7168,7 +7167,8 @@ static inline void ksl_quaternion_product_qqxconj_fused(const ksl_quaternion_t *
 static inline void ksl_quaternion_product_qconjqx_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->z, dci[0], qo_1c_lead);
   const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
@@ -7184,9 +7184,11 @@ static inline void ksl_quaternion_product_qconjqx_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqxconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->w, dci[0], qo_0c_lead);
   const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->z, dci[1], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->x, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7218,7 +7220,8 @@ static inline void ksl_quaternion_product_qyq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qyqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
   const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1 = fma(-dci[1], qi->y, qo_1a);
   const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3 = fma(dci[1], qi->w, qo_3a);
@@ -7253,8 +7256,10 @@ static inline void ksl_quaternion_product_qyconjq_fused(const double dci[2],
 static inline void ksl_quaternion_product_qyconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0 = fma(-dci[1], qi->x, qo_0a);
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->y, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7305,7 +7310,8 @@ static inline void ksl_quaternion_product_qconjqy_fused(const ksl_quaternion_t *
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
   const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->z, dci[1], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7320,8 +7326,10 @@ static inline void ksl_quaternion_product_qconjqy_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqyconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->z, dci[0], qo_0c_lead);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->w, dci[0], qo_1c_lead);
   const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->y, dci[0], qo_3a);
   qo->x = qo_0;
@@ -7355,7 +7363,8 @@ static inline void ksl_quaternion_product_qzq_fused(const double dci[2],
 static inline void ksl_quaternion_product_qzqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0 = fma(-dci[1], qi->x, qo_0a);
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
   const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3 = fma(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
@@ -7388,9 +7397,11 @@ static inline void ksl_quaternion_product_qzconjq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qzconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
   const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1 = fma(-dci[1], qi->y, qo_1a);
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->z, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7439,7 +7450,8 @@ static inline void ksl_quaternion_product_qqzconj_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqz_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->y, dci[0], qo_0c_lead);
   const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
   const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
@@ -7457,8 +7469,10 @@ static inline void ksl_quaternion_product_qconjqz_fused(const ksl_quaternion_t *
 static inline void ksl_quaternion_product_qconjqzconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1c = fma(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2c = fma(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->y, dci[1], qo_1c_lead);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->w, dci[0], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->z, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7479,8 +7493,8 @@ static inline void ksl_quaternion_product_qv_fused(const ksl_quaternion_t *qi,
       qo_1 = fma(qi->w, vi->y, qo_1c);
   const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2c = fma(-qi->y, vi->x, qo_2a),
       qo_2 = fma(qi->w, vi->z, qo_2c);
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c = fma(qi->y, vi->y, qo_3a),
-      qo_3e = fma(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fma(-qi->y, vi->y, qo_3c_lead), qo_3 = fma(-qi->z, vi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7521,8 +7535,8 @@ static inline void ksl_quaternion_product_vq_fused(const ksl_vec3_t *vi,
       qo_1 = fma(vi->y, qi->w, qo_1c);
   const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2c = fma(-vi->y, qi->x, qo_2a),
       qo_2 = fma(vi->z, qi->w, qo_2c);
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c = fma(vi->y, qi->y, qo_3a),
-      qo_3e = fma(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fma(-vi->y, qi->y, qo_3c_lead), qo_3 = fma(-vi->z, qi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7615,7 +7629,7 @@ static inline void ksl_subtract_dpiFromq_fused(const ksl_vec3_t *dpi, ksl_quater
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 16 fma.
+   7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_omega_to_dquaternion_fused(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
@@ -7630,8 +7644,9 @@ static inline void ksl_omega_to_dquaternion_fused(const ksl_vec3_t *w, const ksl
       dqo_1e = fma(dqo_0c, qi->w, dqo_1c), dqo_1 = fma(qi->y, dqo_0p, dqo_1e);
   const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2c = fma(-dqo_0c, qi->x, dqo_2a),
       dqo_2e = fma(dqo_0e, qi->w, dqo_2c), dqo_2 = fma(qi->z, dqo_0p, dqo_2e);
-  const double dqo_3b = KSL_MUL(dqo_0a, qi->x), dqo_3d = fma(dqo_0c, qi->y, dqo_3b),
-      dqo_3f = fma(dqo_0e, qi->z, dqo_3d), dqo_3 = fma(qi->w, dqo_0p, -dqo_3f);
+  const double dqo_3b = KSL_MUL(dqo_0a, qi->x), dqo_3d_lead = -dqo_3b,
+      dqo_3d = fma(-dqo_0c, qi->y, dqo_3d_lead), dqo_3f = fma(-dqo_0e, qi->z, dqo_3d),
+      dqo_3 = fma(qi->w, dqo_0p, dqo_3f);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -7725,7 +7740,7 @@ static inline void ksl_rotate_qconjvf_fused(const ksl_quaternionf_t *q, const ks
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1i,
@@ -7736,8 +7751,9 @@ static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1i,
       qo_1e = fmaf(q1i->y, q2i->w, qo_1c), qo_1 = fmaf(q1i->w, q2i->y, qo_1e);
   const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
       qo_2e = fmaf(q1i->z, q2i->w, qo_2c), qo_2 = fmaf(q1i->w, q2i->z, qo_2e);
-  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
-      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fmaf(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fmaf(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fmaf(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7788,7 +7804,7 @@ static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1i,
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjqconjf_fused(const ksl_quaternionf_t *q1i,
@@ -7799,8 +7815,9 @@ static inline void ksl_product_qconjqconjf_fused(const ksl_quaternionf_t *q1i,
       qo_1e = fmaf(-q1i->y, q2i->w, qo_1c), qo_1 = fmaf(-q1i->w, q2i->y, qo_1e);
   const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
       qo_2e = fmaf(-q1i->z, q2i->w, qo_2c), qo_2 = fmaf(-q1i->w, q2i->z, qo_2e);
-  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
-      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fmaf(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fmaf(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fmaf(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -7833,7 +7850,8 @@ static inline void ksl_product_qxqconjf_fused(const float dci[2], const ksl_quat
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
   const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3 = fmaf(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7865,8 +7883,10 @@ static inline void ksl_product_qxconjqf_fused(const float dci[2], const ksl_quat
      and underflow. */
 static inline void ksl_product_qxconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
   const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->x, qo_3a);
   qo->x = qo_0;
@@ -7917,7 +7937,8 @@ static inline void ksl_product_qqxconjf_fused(const ksl_quaternionf_t *qi, const
 static inline void ksl_product_qconjqxf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->z, dci[0], qo_1c_lead);
   const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
@@ -7933,9 +7954,11 @@ static inline void ksl_product_qconjqxf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqxconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->w, dci[0], qo_0c_lead);
   const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->z, dci[1], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->x, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -7967,7 +7990,8 @@ static inline void ksl_product_qyqf_fused(const float dci[2], const ksl_quaterni
      and underflow. */
 static inline void ksl_product_qyqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
   const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
   const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3 = fmaf(dci[1], qi->w, qo_3a);
@@ -8002,8 +8026,10 @@ static inline void ksl_product_qyconjqf_fused(const float dci[2], const ksl_quat
 static inline void ksl_product_qyconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->y, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -8054,7 +8080,8 @@ static inline void ksl_product_qconjqyf_fused(const ksl_quaternionf_t *qi, const
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
   const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->z, dci[1], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -8069,8 +8096,10 @@ static inline void ksl_product_qconjqyf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqyconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->z, dci[0], qo_0c_lead);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->w, dci[0], qo_1c_lead);
   const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->y, dci[0], qo_3a);
   qo->x = qo_0;
@@ -8104,7 +8133,8 @@ static inline void ksl_product_qzqf_fused(const float dci[2], const ksl_quaterni
 static inline void ksl_product_qzqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
   const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3 = fmaf(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
@@ -8137,9 +8167,11 @@ static inline void ksl_product_qzconjqf_fused(const float dci[2], const ksl_quat
      and underflow. */
 static inline void ksl_product_qzconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
   const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->z, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -8188,7 +8220,8 @@ static inline void ksl_product_qqzconjf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqzf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->y, dci[0], qo_0c_lead);
   const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
   const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
@@ -8206,8 +8239,10 @@ static inline void ksl_product_qconjqzf_fused(const ksl_quaternionf_t *qi, const
 static inline void ksl_product_qconjqzconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1c = fmaf(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2c = fmaf(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->y, dci[1], qo_1c_lead);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->w, dci[0], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->z, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -8228,8 +8263,8 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *qi, const ksl_
       qo_1 = fmaf(qi->w, vi->y, qo_1c);
   const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2c = fmaf(-qi->y, vi->x, qo_2a),
       qo_2 = fmaf(qi->w, vi->z, qo_2c);
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c = fmaf(qi->y, vi->y, qo_3a),
-      qo_3e = fmaf(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fmaf(-qi->y, vi->y, qo_3c_lead), qo_3 = fmaf(-qi->z, vi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -8270,8 +8305,8 @@ static inline void ksl_product_vqf_fused(const ksl_vec3f_t *vi, const ksl_quater
       qo_1 = fmaf(vi->y, qi->w, qo_1c);
   const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2c = fmaf(-vi->y, qi->x, qo_2a),
       qo_2 = fmaf(vi->z, qi->w, qo_2c);
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c = fmaf(vi->y, qi->y, qo_3a),
-      qo_3e = fmaf(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fmaf(-vi->y, qi->y, qo_3c_lead), qo_3 = fmaf(-vi->z, qi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -8364,7 +8399,7 @@ static inline void ksl_subtract_dpiFromqf_fused(const ksl_vec3f_t *dpi, ksl_quat
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 16 fma.
+   7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
@@ -8379,8 +8414,9 @@ static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
       dqo_1e = fmaf(dqo_0c, qi->w, dqo_1c), dqo_1 = fmaf(qi->y, dqo_0p, dqo_1e);
   const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2c = fmaf(-dqo_0c, qi->x, dqo_2a),
       dqo_2e = fmaf(dqo_0e, qi->w, dqo_2c), dqo_2 = fmaf(qi->z, dqo_0p, dqo_2e);
-  const float dqo_3b = KSL_MULF(dqo_0a, qi->x), dqo_3d = fmaf(dqo_0c, qi->y, dqo_3b),
-      dqo_3f = fmaf(dqo_0e, qi->z, dqo_3d), dqo_3 = fmaf(qi->w, dqo_0p, -dqo_3f);
+  const float dqo_3b = KSL_MULF(dqo_0a, qi->x), dqo_3d_lead = -dqo_3b,
+      dqo_3d = fmaf(-dqo_0c, qi->y, dqo_3d_lead), dqo_3f = fmaf(-dqo_0e, qi->z, dqo_3d),
+      dqo_3 = fmaf(qi->w, dqo_0p, dqo_3f);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -8410,15 +8446,15 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_2b = fma(-self->m02, self->m02, 1.0),
       defect_2d = fma(-self->m12, self->m12, defect_2b),
       defect_2 = fma(-self->m22, self->m22, defect_2d);
-  const double defect_3a = KSL_MUL(self->m00, self->m01),
-      defect_3c = fma(self->m10, self->m11, defect_3a),
-      defect_3e = fma(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(self->m00, self->m02),
-      defect_4c = fma(self->m10, self->m12, defect_4a),
-      defect_4e = fma(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(self->m01, self->m02),
-      defect_5c = fma(self->m11, self->m12, defect_5a),
-      defect_5e = fma(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = KSL_MUL(self->m00, self->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fma(-self->m10, self->m11, defect_3c_lead),
+      defect_3 = fma(-self->m20, self->m21, defect_3c);
+  const double defect_4a = KSL_MUL(self->m00, self->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fma(-self->m10, self->m12, defect_4c_lead),
+      defect_4 = fma(-self->m20, self->m22, defect_4c);
+  const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fma(-self->m11, self->m12, defect_5c_lead),
+      defect_5 = fma(-self->m21, self->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -8484,12 +8520,12 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
       defect_1 = fma(-R->m21, R->m21, defect_1d);
   const double defect_2b = fma(-R->m02, R->m02, 1.0), defect_2d = fma(-R->m12, R->m12, defect_2b),
       defect_2 = fma(-R->m22, R->m22, defect_2d);
-  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c = fma(R->m10, R->m11, defect_3a),
-      defect_3e = fma(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c = fma(R->m10, R->m12, defect_4a),
-      defect_4e = fma(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c = fma(R->m11, R->m12, defect_5a),
-      defect_5e = fma(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fma(-R->m10, R->m11, defect_3c_lead), defect_3 = fma(-R->m20, R->m21, defect_3c);
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fma(-R->m10, R->m12, defect_4c_lead), defect_4 = fma(-R->m20, R->m22, defect_4c);
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fma(-R->m11, R->m12, defect_5c_lead), defect_5 = fma(-R->m21, R->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -8540,15 +8576,15 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_2b = fmaf(-self->m02, self->m02, 1.0f),
       defect_2d = fmaf(-self->m12, self->m12, defect_2b),
       defect_2 = fmaf(-self->m22, self->m22, defect_2d);
-  const float defect_3a = KSL_MULF(self->m00, self->m01),
-      defect_3c = fmaf(self->m10, self->m11, defect_3a),
-      defect_3e = fmaf(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(self->m00, self->m02),
-      defect_4c = fmaf(self->m10, self->m12, defect_4a),
-      defect_4e = fmaf(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(self->m01, self->m02),
-      defect_5c = fmaf(self->m11, self->m12, defect_5a),
-      defect_5e = fmaf(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const float defect_3a = KSL_MULF(self->m00, self->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fmaf(-self->m10, self->m11, defect_3c_lead),
+      defect_3 = fmaf(-self->m20, self->m21, defect_3c);
+  const float defect_4a = KSL_MULF(self->m00, self->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fmaf(-self->m10, self->m12, defect_4c_lead),
+      defect_4 = fmaf(-self->m20, self->m22, defect_4c);
+  const float defect_5a = KSL_MULF(self->m01, self->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fmaf(-self->m11, self->m12, defect_5c_lead),
+      defect_5 = fmaf(-self->m21, self->m22, defect_5c);
   const float correction_0 = KSL_MULF(0.5f, defect_0);
   const float correction_1 = KSL_MULF(0.5f, defect_1);
   const float correction_2 = KSL_MULF(0.5f, defect_2);
@@ -8614,12 +8650,15 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
       defect_1 = fmaf(-R->m21, R->m21, defect_1d);
   const float defect_2b = fmaf(-R->m02, R->m02, 1.0f), defect_2d = fmaf(-R->m12, R->m12, defect_2b),
       defect_2 = fmaf(-R->m22, R->m22, defect_2d);
-  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c = fmaf(R->m10, R->m11, defect_3a),
-      defect_3e = fmaf(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c = fmaf(R->m10, R->m12, defect_4a),
-      defect_4e = fmaf(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c = fmaf(R->m11, R->m12, defect_5a),
-      defect_5e = fmaf(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fmaf(-R->m10, R->m11, defect_3c_lead),
+      defect_3 = fmaf(-R->m20, R->m21, defect_3c);
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fmaf(-R->m10, R->m12, defect_4c_lead),
+      defect_4 = fmaf(-R->m20, R->m22, defect_4c);
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fmaf(-R->m11, R->m12, defect_5c_lead),
+      defect_5 = fmaf(-R->m21, R->m22, defect_5c);
   const float correction_0 = KSL_MULF(0.5f, defect_0);
   const float correction_1 = KSL_MULF(0.5f, defect_1);
   const float correction_2 = KSL_MULF(0.5f, defect_2);

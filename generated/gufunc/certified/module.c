@@ -77,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "a3481da6ab0d6de2") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "14885c41f186c94a") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "42ec97b3c4529e9f")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "179a0de8ee82f8c3")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

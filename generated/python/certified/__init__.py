@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "a3481da6ab0d6de2")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "14885c41f186c94a")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -868,16 +868,13 @@ def hsrainv(D, axis):
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
-    a_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
-    a_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
-    a_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
-    so_0 = D_23 * a_1 - D_13 * a_2
-    so_1 = D_03 * a_2 - D_23 * a_0
-    so_2 = D_13 * a_0 - D_03 * a_1
-    so_3 = -a_0
-    so_4 = -a_1
-    so_5 = -a_2
-    return (so_0, so_1, so_2, so_3, so_4, so_5)
+    a_0 = -(D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2)
+    a_1 = -(D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2)
+    a_2 = -(D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2)
+    so_0 = D_13 * a_2 - D_23 * a_1
+    so_1 = D_23 * a_0 - D_03 * a_2
+    so_2 = D_03 * a_1 - D_13 * a_0
+    return (so_0, so_1, so_2, a_0, a_1, a_2)
 
 
 @kernel("(3,4),(3)->(6)")

@@ -148,17 +148,17 @@ static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) 
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
   const double self_03_new_a = (double)self->m00 * (double)self->m03,
-      self_03_new_c = ksl_product_sum((double)self->m10, (double)self->m13, self_03_new_a),
-      self_03_new_e = ksl_product_sum((double)self->m20, (double)self->m23, self_03_new_c),
-      self_03_new = -self_03_new_e;
+      self_03_new_c_lead = -self_03_new_a,
+      self_03_new_c = ksl_product_sum(-(double)self->m10, (double)self->m13, self_03_new_c_lead),
+      self_03_new = ksl_product_sum(-(double)self->m20, (double)self->m23, self_03_new_c);
   const double self_13_new_a = (double)self->m01 * (double)self->m03,
-      self_13_new_c = ksl_product_sum((double)self->m11, (double)self->m13, self_13_new_a),
-      self_13_new_e = ksl_product_sum((double)self->m21, (double)self->m23, self_13_new_c),
-      self_13_new = -self_13_new_e;
+      self_13_new_c_lead = -self_13_new_a,
+      self_13_new_c = ksl_product_sum(-(double)self->m11, (double)self->m13, self_13_new_c_lead),
+      self_13_new = ksl_product_sum(-(double)self->m21, (double)self->m23, self_13_new_c);
   const double self_23_new_a = (double)self->m02 * (double)self->m03,
-      self_23_new_c = ksl_product_sum((double)self->m12, (double)self->m13, self_23_new_a),
-      self_23_new_e = ksl_product_sum((double)self->m22, (double)self->m23, self_23_new_c),
-      self_23_new = -self_23_new_e;
+      self_23_new_c_lead = -self_23_new_a,
+      self_23_new_c = ksl_product_sum(-(double)self->m12, (double)self->m13, self_23_new_c_lead),
+      self_23_new = ksl_product_sum(-(double)self->m22, (double)self->m23, self_23_new_c);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -182,15 +182,15 @@ static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)D->m03,
-      Do_03c = ksl_product_sum((double)D->m10, (double)D->m13, Do_03a),
-      Do_03e = ksl_product_sum((double)D->m20, (double)D->m23, Do_03c), Do_03 = -Do_03e;
-  const double Do_13a = (double)D->m01 * (double)D->m03,
-      Do_13c = ksl_product_sum((double)D->m11, (double)D->m13, Do_13a),
-      Do_13e = ksl_product_sum((double)D->m21, (double)D->m23, Do_13c), Do_13 = -Do_13e;
-  const double Do_23a = (double)D->m02 * (double)D->m03,
-      Do_23c = ksl_product_sum((double)D->m12, (double)D->m13, Do_23a),
-      Do_23e = ksl_product_sum((double)D->m22, (double)D->m23, Do_23c), Do_23 = -Do_23e;
+  const double Do_03a = (double)D->m00 * (double)D->m03, Do_03c_lead = -Do_03a,
+      Do_03c = ksl_product_sum(-(double)D->m10, (double)D->m13, Do_03c_lead),
+      Do_03 = ksl_product_sum(-(double)D->m20, (double)D->m23, Do_03c);
+  const double Do_13a = (double)D->m01 * (double)D->m03, Do_13c_lead = -Do_13a,
+      Do_13c = ksl_product_sum(-(double)D->m11, (double)D->m13, Do_13c_lead),
+      Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23, Do_13c);
+  const double Do_23a = (double)D->m02 * (double)D->m03, Do_23c_lead = -Do_23a,
+      Do_23c = ksl_product_sum(-(double)D->m12, (double)D->m13, Do_23c_lead),
+      Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23, Do_23c);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;

@@ -3132,24 +3132,24 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
      over- and underflow. */
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0,
-      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
-      co_0e = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = (double)R->m10 * (double)ci->m0,
-      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
-      co_1e = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = (double)R->m20 * (double)ci->m0,
-      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
-      co_2e = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = (double)R->m00 * (double)ci->m3,
-      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
-      co_3e = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = (double)R->m10 * (double)ci->m3,
-      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
-      co_4e = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = (double)R->m20 * (double)ci->m3,
-      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
-      co_5e = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c), co_5 = -co_5e;
+  const double co_0a = (double)R->m00 * (double)ci->m0, co_0c_lead = -co_0a,
+      co_0c = ksl_product_sum(-(double)R->m01, (double)ci->m1, co_0c_lead),
+      co_0 = ksl_product_sum(-(double)R->m02, (double)ci->m2, co_0c);
+  const double co_1a = (double)R->m10 * (double)ci->m0, co_1c_lead = -co_1a,
+      co_1c = ksl_product_sum(-(double)R->m11, (double)ci->m1, co_1c_lead),
+      co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2, co_1c);
+  const double co_2a = (double)R->m20 * (double)ci->m0, co_2c_lead = -co_2a,
+      co_2c = ksl_product_sum(-(double)R->m21, (double)ci->m1, co_2c_lead),
+      co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2, co_2c);
+  const double co_3a = (double)R->m00 * (double)ci->m3, co_3c_lead = -co_3a,
+      co_3c = ksl_product_sum(-(double)R->m01, (double)ci->m4, co_3c_lead),
+      co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5, co_3c);
+  const double co_4a = (double)R->m10 * (double)ci->m3, co_4c_lead = -co_4a,
+      co_4c = ksl_product_sum(-(double)R->m11, (double)ci->m4, co_4c_lead),
+      co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5, co_4c);
+  const double co_5a = (double)R->m20 * (double)ci->m3, co_5c_lead = -co_5a,
+      co_5c = ksl_product_sum(-(double)R->m21, (double)ci->m4, co_5c_lead),
+      co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5, co_5c);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3240,24 +3240,24 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
-      w_0e = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)ci->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
-      w_1e = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)ci->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
-      w_2e = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)ci->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
-      w_3e = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)ci->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
-      w_4e = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)ci->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
-      w_5e = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)ci->m0, w_0c_lead = -w_0a,
+      w_0c = ksl_product_sum(-(double)D->m01, (double)ci->m1, w_0c_lead),
+      w_0 = ksl_product_sum(-(double)D->m02, (double)ci->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)ci->m0, w_1c_lead = -w_1a,
+      w_1c = ksl_product_sum(-(double)D->m11, (double)ci->m1, w_1c_lead),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)ci->m0, w_2c_lead = -w_2a,
+      w_2c = ksl_product_sum(-(double)D->m21, (double)ci->m1, w_2c_lead),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)ci->m3, w_3c_lead = -w_3a,
+      w_3c = ksl_product_sum(-(double)D->m01, (double)ci->m4, w_3c_lead),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)ci->m3, w_4c_lead = -w_4a,
+      w_4c = ksl_product_sum(-(double)D->m11, (double)ci->m4, w_4c_lead),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)ci->m3, w_5c_lead = -w_5a,
+      w_5c = ksl_product_sum(-(double)D->m21, (double)ci->m4, w_5c_lead),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5, w_5c);
   const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
       co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),

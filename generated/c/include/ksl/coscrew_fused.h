@@ -297,18 +297,18 @@ static inline void ksl_product_CoAdrinvc_fused(const ksl_mat3x3_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_CoAdrcinv_fused(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c = fma(R->m01, ci->m1, co_0a),
-      co_0e = fma(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c = fma(R->m11, ci->m1, co_1a),
-      co_1e = fma(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c = fma(R->m21, ci->m1, co_2a),
-      co_2e = fma(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c = fma(R->m01, ci->m4, co_3a),
-      co_3e = fma(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c = fma(R->m11, ci->m4, co_4a),
-      co_4e = fma(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c = fma(R->m21, ci->m4, co_5a),
-      co_5e = fma(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0c_lead = -co_0a,
+      co_0c = fma(-R->m01, ci->m1, co_0c_lead), co_0 = fma(-R->m02, ci->m2, co_0c);
+  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1c_lead = -co_1a,
+      co_1c = fma(-R->m11, ci->m1, co_1c_lead), co_1 = fma(-R->m12, ci->m2, co_1c);
+  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2c_lead = -co_2a,
+      co_2c = fma(-R->m21, ci->m1, co_2c_lead), co_2 = fma(-R->m22, ci->m2, co_2c);
+  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3c_lead = -co_3a,
+      co_3c = fma(-R->m01, ci->m4, co_3c_lead), co_3 = fma(-R->m02, ci->m5, co_3c);
+  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4c_lead = -co_4a,
+      co_4c = fma(-R->m11, ci->m4, co_4c_lead), co_4 = fma(-R->m12, ci->m5, co_4c);
+  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5c_lead = -co_5a,
+      co_5c = fma(-R->m21, ci->m4, co_5c_lead), co_5 = fma(-R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -387,18 +387,18 @@ static inline void ksl_product_CoAdinvc_fused(const ksl_SE3_t *D, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv_fused(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c = fma(D->m01, ci->m1, w_0a),
-      w_0e = fma(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c = fma(D->m11, ci->m1, w_1a),
-      w_1e = fma(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c = fma(D->m21, ci->m1, w_2a),
-      w_2e = fma(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c = fma(D->m01, ci->m4, w_3a),
-      w_3e = fma(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c = fma(D->m11, ci->m4, w_4a),
-      w_4e = fma(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c = fma(D->m21, ci->m4, w_5a),
-      w_5e = fma(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0c_lead = -w_0a,
+      w_0c = fma(-D->m01, ci->m1, w_0c_lead), w_0 = fma(-D->m02, ci->m2, w_0c);
+  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1c_lead = -w_1a,
+      w_1c = fma(-D->m11, ci->m1, w_1c_lead), w_1 = fma(-D->m12, ci->m2, w_1c);
+  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2c_lead = -w_2a,
+      w_2c = fma(-D->m21, ci->m1, w_2c_lead), w_2 = fma(-D->m22, ci->m2, w_2c);
+  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3c_lead = -w_3a,
+      w_3c = fma(-D->m01, ci->m4, w_3c_lead), w_3 = fma(-D->m02, ci->m5, w_3c);
+  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4c_lead = -w_4a,
+      w_4c = fma(-D->m11, ci->m4, w_4c_lead), w_4 = fma(-D->m12, ci->m5, w_4c);
+  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5c_lead = -w_5a,
+      w_5c = fma(-D->m21, ci->m4, w_5c_lead), w_5 = fma(-D->m22, ci->m5, w_5c);
   const double co_3a = KSL_MUL(D->m13, w_2), co_3c = fma(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
   const double co_4a = KSL_MUL(D->m23, w_0), co_4c = fma(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
   const double co_5a = KSL_MUL(D->m03, w_1), co_5c = fma(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;
@@ -1212,18 +1212,18 @@ static inline void ksl_product_CoAdrinvcf_fused(const ksl_mat3x3f_t *R, const ks
      and underflow. */
 static inline void ksl_product_CoAdrcinvf_fused(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c = fmaf(R->m01, ci->m1, co_0a),
-      co_0e = fmaf(R->m02, ci->m2, co_0c), co_0 = -co_0e;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c = fmaf(R->m11, ci->m1, co_1a),
-      co_1e = fmaf(R->m12, ci->m2, co_1c), co_1 = -co_1e;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c = fmaf(R->m21, ci->m1, co_2a),
-      co_2e = fmaf(R->m22, ci->m2, co_2c), co_2 = -co_2e;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c = fmaf(R->m01, ci->m4, co_3a),
-      co_3e = fmaf(R->m02, ci->m5, co_3c), co_3 = -co_3e;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c = fmaf(R->m11, ci->m4, co_4a),
-      co_4e = fmaf(R->m12, ci->m5, co_4c), co_4 = -co_4e;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c = fmaf(R->m21, ci->m4, co_5a),
-      co_5e = fmaf(R->m22, ci->m5, co_5c), co_5 = -co_5e;
+  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0c_lead = -co_0a,
+      co_0c = fmaf(-R->m01, ci->m1, co_0c_lead), co_0 = fmaf(-R->m02, ci->m2, co_0c);
+  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1c_lead = -co_1a,
+      co_1c = fmaf(-R->m11, ci->m1, co_1c_lead), co_1 = fmaf(-R->m12, ci->m2, co_1c);
+  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2c_lead = -co_2a,
+      co_2c = fmaf(-R->m21, ci->m1, co_2c_lead), co_2 = fmaf(-R->m22, ci->m2, co_2c);
+  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3c_lead = -co_3a,
+      co_3c = fmaf(-R->m01, ci->m4, co_3c_lead), co_3 = fmaf(-R->m02, ci->m5, co_3c);
+  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4c_lead = -co_4a,
+      co_4c = fmaf(-R->m11, ci->m4, co_4c_lead), co_4 = fmaf(-R->m12, ci->m5, co_4c);
+  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5c_lead = -co_5a,
+      co_5c = fmaf(-R->m21, ci->m4, co_5c_lead), co_5 = fmaf(-R->m22, ci->m5, co_5c);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1302,18 +1302,18 @@ static inline void ksl_product_CoAdinvcf_fused(const ksl_SE3f_t *D, const ksl_co
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_fused(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c = fmaf(D->m01, ci->m1, w_0a),
-      w_0e = fmaf(D->m02, ci->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c = fmaf(D->m11, ci->m1, w_1a),
-      w_1e = fmaf(D->m12, ci->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c = fmaf(D->m21, ci->m1, w_2a),
-      w_2e = fmaf(D->m22, ci->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c = fmaf(D->m01, ci->m4, w_3a),
-      w_3e = fmaf(D->m02, ci->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c = fmaf(D->m11, ci->m4, w_4a),
-      w_4e = fmaf(D->m12, ci->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c = fmaf(D->m21, ci->m4, w_5a),
-      w_5e = fmaf(D->m22, ci->m5, w_5c), w_5 = -w_5e;
+  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0c_lead = -w_0a,
+      w_0c = fmaf(-D->m01, ci->m1, w_0c_lead), w_0 = fmaf(-D->m02, ci->m2, w_0c);
+  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1c_lead = -w_1a,
+      w_1c = fmaf(-D->m11, ci->m1, w_1c_lead), w_1 = fmaf(-D->m12, ci->m2, w_1c);
+  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2c_lead = -w_2a,
+      w_2c = fmaf(-D->m21, ci->m1, w_2c_lead), w_2 = fmaf(-D->m22, ci->m2, w_2c);
+  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3c_lead = -w_3a,
+      w_3c = fmaf(-D->m01, ci->m4, w_3c_lead), w_3 = fmaf(-D->m02, ci->m5, w_3c);
+  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4c_lead = -w_4a,
+      w_4c = fmaf(-D->m11, ci->m4, w_4c_lead), w_4 = fmaf(-D->m12, ci->m5, w_4c);
+  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5c_lead = -w_5a,
+      w_5c = fmaf(-D->m21, ci->m4, w_5c_lead), w_5 = fmaf(-D->m22, ci->m5, w_5c);
   const float co_3a = KSL_MULF(D->m13, w_2), co_3c = fmaf(-D->m23, w_1, co_3a), co_3 = co_3c + w_3;
   const float co_4a = KSL_MULF(D->m23, w_0), co_4c = fmaf(-D->m03, w_2, co_4a), co_4 = co_4c + w_4;
   const float co_5a = KSL_MULF(D->m03, w_1), co_5c = fmaf(-D->m13, w_0, co_5a), co_5 = co_5c + w_5;

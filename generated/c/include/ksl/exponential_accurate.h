@@ -1036,18 +1036,15 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   const double defect_2b = ksl_product_sum(-(double)self->m02, (double)self->m02, 1.0),
       defect_2d = ksl_product_sum(-(double)self->m12, (double)self->m12, defect_2b),
       defect_2 = ksl_product_sum(-(double)self->m22, (double)self->m22, defect_2d);
-  const double defect_3a = (double)self->m00 * (double)self->m01,
-      defect_3c = ksl_product_sum((double)self->m10, (double)self->m11, defect_3a),
-      defect_3e = ksl_product_sum((double)self->m20, (double)self->m21, defect_3c),
-      defect_3 = -defect_3e;
-  const double defect_4a = (double)self->m00 * (double)self->m02,
-      defect_4c = ksl_product_sum((double)self->m10, (double)self->m12, defect_4a),
-      defect_4e = ksl_product_sum((double)self->m20, (double)self->m22, defect_4c),
-      defect_4 = -defect_4e;
-  const double defect_5a = (double)self->m01 * (double)self->m02,
-      defect_5c = ksl_product_sum((double)self->m11, (double)self->m12, defect_5a),
-      defect_5e = ksl_product_sum((double)self->m21, (double)self->m22, defect_5c),
-      defect_5 = -defect_5e;
+  const double defect_3a = (double)self->m00 * (double)self->m01, defect_3c_lead = -defect_3a,
+      defect_3c = ksl_product_sum(-(double)self->m10, (double)self->m11, defect_3c_lead),
+      defect_3 = ksl_product_sum(-(double)self->m20, (double)self->m21, defect_3c);
+  const double defect_4a = (double)self->m00 * (double)self->m02, defect_4c_lead = -defect_4a,
+      defect_4c = ksl_product_sum(-(double)self->m10, (double)self->m12, defect_4c_lead),
+      defect_4 = ksl_product_sum(-(double)self->m20, (double)self->m22, defect_4c);
+  const double defect_5a = (double)self->m01 * (double)self->m02, defect_5c_lead = -defect_5a,
+      defect_5c = ksl_product_sum(-(double)self->m11, (double)self->m12, defect_5c_lead),
+      defect_5 = ksl_product_sum(-(double)self->m21, (double)self->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -1134,15 +1131,15 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
   const double defect_2b = ksl_product_sum(-(double)R->m02, (double)R->m02, 1.0),
       defect_2d = ksl_product_sum(-(double)R->m12, (double)R->m12, defect_2b),
       defect_2 = ksl_product_sum(-(double)R->m22, (double)R->m22, defect_2d);
-  const double defect_3a = (double)R->m00 * (double)R->m01,
-      defect_3c = ksl_product_sum((double)R->m10, (double)R->m11, defect_3a),
-      defect_3e = ksl_product_sum((double)R->m20, (double)R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = (double)R->m00 * (double)R->m02,
-      defect_4c = ksl_product_sum((double)R->m10, (double)R->m12, defect_4a),
-      defect_4e = ksl_product_sum((double)R->m20, (double)R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = (double)R->m01 * (double)R->m02,
-      defect_5c = ksl_product_sum((double)R->m11, (double)R->m12, defect_5a),
-      defect_5e = ksl_product_sum((double)R->m21, (double)R->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = (double)R->m00 * (double)R->m01, defect_3c_lead = -defect_3a,
+      defect_3c = ksl_product_sum(-(double)R->m10, (double)R->m11, defect_3c_lead),
+      defect_3 = ksl_product_sum(-(double)R->m20, (double)R->m21, defect_3c);
+  const double defect_4a = (double)R->m00 * (double)R->m02, defect_4c_lead = -defect_4a,
+      defect_4c = ksl_product_sum(-(double)R->m10, (double)R->m12, defect_4c_lead),
+      defect_4 = ksl_product_sum(-(double)R->m20, (double)R->m22, defect_4c);
+  const double defect_5a = (double)R->m01 * (double)R->m02, defect_5c_lead = -defect_5a,
+      defect_5c = ksl_product_sum(-(double)R->m11, (double)R->m12, defect_5c_lead),
+      defect_5 = ksl_product_sum(-(double)R->m21, (double)R->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);

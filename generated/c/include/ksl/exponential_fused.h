@@ -23,15 +23,15 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   const double defect_2b = fma(-self->m02, self->m02, 1.0),
       defect_2d = fma(-self->m12, self->m12, defect_2b),
       defect_2 = fma(-self->m22, self->m22, defect_2d);
-  const double defect_3a = KSL_MUL(self->m00, self->m01),
-      defect_3c = fma(self->m10, self->m11, defect_3a),
-      defect_3e = fma(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(self->m00, self->m02),
-      defect_4c = fma(self->m10, self->m12, defect_4a),
-      defect_4e = fma(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(self->m01, self->m02),
-      defect_5c = fma(self->m11, self->m12, defect_5a),
-      defect_5e = fma(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = KSL_MUL(self->m00, self->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fma(-self->m10, self->m11, defect_3c_lead),
+      defect_3 = fma(-self->m20, self->m21, defect_3c);
+  const double defect_4a = KSL_MUL(self->m00, self->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fma(-self->m10, self->m12, defect_4c_lead),
+      defect_4 = fma(-self->m20, self->m22, defect_4c);
+  const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fma(-self->m11, self->m12, defect_5c_lead),
+      defect_5 = fma(-self->m21, self->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -97,12 +97,12 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
       defect_1 = fma(-R->m21, R->m21, defect_1d);
   const double defect_2b = fma(-R->m02, R->m02, 1.0), defect_2d = fma(-R->m12, R->m12, defect_2b),
       defect_2 = fma(-R->m22, R->m22, defect_2d);
-  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c = fma(R->m10, R->m11, defect_3a),
-      defect_3e = fma(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c = fma(R->m10, R->m12, defect_4a),
-      defect_4e = fma(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c = fma(R->m11, R->m12, defect_5a),
-      defect_5e = fma(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fma(-R->m10, R->m11, defect_3c_lead), defect_3 = fma(-R->m20, R->m21, defect_3c);
+  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fma(-R->m10, R->m12, defect_4c_lead), defect_4 = fma(-R->m20, R->m22, defect_4c);
+  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fma(-R->m11, R->m12, defect_5c_lead), defect_5 = fma(-R->m21, R->m22, defect_5c);
   const double correction_0 = KSL_MUL(0.5, defect_0);
   const double correction_1 = KSL_MUL(0.5, defect_1);
   const double correction_2 = KSL_MUL(0.5, defect_2);
@@ -153,15 +153,15 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   const float defect_2b = fmaf(-self->m02, self->m02, 1.0f),
       defect_2d = fmaf(-self->m12, self->m12, defect_2b),
       defect_2 = fmaf(-self->m22, self->m22, defect_2d);
-  const float defect_3a = KSL_MULF(self->m00, self->m01),
-      defect_3c = fmaf(self->m10, self->m11, defect_3a),
-      defect_3e = fmaf(self->m20, self->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(self->m00, self->m02),
-      defect_4c = fmaf(self->m10, self->m12, defect_4a),
-      defect_4e = fmaf(self->m20, self->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(self->m01, self->m02),
-      defect_5c = fmaf(self->m11, self->m12, defect_5a),
-      defect_5e = fmaf(self->m21, self->m22, defect_5c), defect_5 = -defect_5e;
+  const float defect_3a = KSL_MULF(self->m00, self->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fmaf(-self->m10, self->m11, defect_3c_lead),
+      defect_3 = fmaf(-self->m20, self->m21, defect_3c);
+  const float defect_4a = KSL_MULF(self->m00, self->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fmaf(-self->m10, self->m12, defect_4c_lead),
+      defect_4 = fmaf(-self->m20, self->m22, defect_4c);
+  const float defect_5a = KSL_MULF(self->m01, self->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fmaf(-self->m11, self->m12, defect_5c_lead),
+      defect_5 = fmaf(-self->m21, self->m22, defect_5c);
   const float correction_0 = KSL_MULF(0.5f, defect_0);
   const float correction_1 = KSL_MULF(0.5f, defect_1);
   const float correction_2 = KSL_MULF(0.5f, defect_2);
@@ -227,12 +227,15 @@ static inline void ksl_mat3x3f_orthonormalized_fused(const ksl_mat3x3f_t *R, ksl
       defect_1 = fmaf(-R->m21, R->m21, defect_1d);
   const float defect_2b = fmaf(-R->m02, R->m02, 1.0f), defect_2d = fmaf(-R->m12, R->m12, defect_2b),
       defect_2 = fmaf(-R->m22, R->m22, defect_2d);
-  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c = fmaf(R->m10, R->m11, defect_3a),
-      defect_3e = fmaf(R->m20, R->m21, defect_3c), defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c = fmaf(R->m10, R->m12, defect_4a),
-      defect_4e = fmaf(R->m20, R->m22, defect_4c), defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c = fmaf(R->m11, R->m12, defect_5a),
-      defect_5e = fmaf(R->m21, R->m22, defect_5c), defect_5 = -defect_5e;
+  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3c_lead = -defect_3a,
+      defect_3c = fmaf(-R->m10, R->m11, defect_3c_lead),
+      defect_3 = fmaf(-R->m20, R->m21, defect_3c);
+  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4c_lead = -defect_4a,
+      defect_4c = fmaf(-R->m10, R->m12, defect_4c_lead),
+      defect_4 = fmaf(-R->m20, R->m22, defect_4c);
+  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5c_lead = -defect_5a,
+      defect_5c = fmaf(-R->m11, R->m12, defect_5c_lead),
+      defect_5 = fmaf(-R->m21, R->m22, defect_5c);
   const float correction_0 = KSL_MULF(0.5f, defect_0);
   const float correction_1 = KSL_MULF(0.5f, defect_1);
   const float correction_2 = KSL_MULF(0.5f, defect_2);

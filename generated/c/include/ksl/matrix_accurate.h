@@ -1725,15 +1725,12 @@ static inline void ksl_product_ddtx_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, k), vo_0a_lo = ksl_product_error(R->m00, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m10, k), vo_1a_lo = ksl_product_error(R->m10, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m20, k), vo_2a_lo = ksl_product_error(R->m20, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a, vo_0_factor = -R->m00;
+  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a, vo_1_factor = -R->m10;
+  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a, vo_2_factor = -R->m20;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -2090,15 +2087,12 @@ static inline void ksl_product_ddty_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m01, k), vo_0a_lo = ksl_product_error(R->m01, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m11, k), vo_1a_lo = ksl_product_error(R->m11, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m21, k), vo_2a_lo = ksl_product_error(R->m21, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a, vo_0_factor = -R->m01;
+  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a, vo_1_factor = -R->m11;
+  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a, vo_2_factor = -R->m21;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -2455,15 +2449,12 @@ static inline void ksl_product_ddtz_accurate(const ksl_SE3_t *D, const double k,
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv_accurate(const ksl_mat3x3_t *R, const double k,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m02, k), vo_0a_lo = ksl_product_error(R->m02, k, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(R->m12, k), vo_1a_lo = ksl_product_error(R->m12, k, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(R->m22, k), vo_2a_lo = ksl_product_error(R->m22, k, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a, vo_0_factor = -R->m02;
+  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a, vo_1_factor = -R->m12;
+  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a, vo_2_factor = -R->m22;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -2661,15 +2652,15 @@ static inline void ksl_product_drvf_accurate(const ksl_mat3x3f_t *R, const ksl_v
      over- and underflow. */
 static inline void ksl_product_drvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x,
-      vo_0c = ksl_product_sum((double)R->m01, (double)v->y, vo_0a),
-      vo_0e = ksl_product_sum((double)R->m02, (double)v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m10 * (double)v->x,
-      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
-      vo_1e = ksl_product_sum((double)R->m12, (double)v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m20 * (double)v->x,
-      vo_2c = ksl_product_sum((double)R->m21, (double)v->y, vo_2a),
-      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x, vo_0c_lead = -vo_0a,
+      vo_0c = ksl_product_sum(-(double)R->m01, (double)v->y, vo_0c_lead),
+      vo_0 = ksl_product_sum(-(double)R->m02, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m10 * (double)v->x, vo_1c_lead = -vo_1a,
+      vo_1c = ksl_product_sum(-(double)R->m11, (double)v->y, vo_1c_lead),
+      vo_1 = ksl_product_sum(-(double)R->m12, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m20 * (double)v->x, vo_2c_lead = -vo_2a,
+      vo_2c = ksl_product_sum(-(double)R->m21, (double)v->y, vo_2c_lead),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -2703,15 +2694,15 @@ static inline void ksl_product_drinvvf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_drinvvinvf_accurate(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const double vo_0a = (double)R->m00 * (double)v->x,
-      vo_0c = ksl_product_sum((double)R->m10, (double)v->y, vo_0a),
-      vo_0e = ksl_product_sum((double)R->m20, (double)v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = (double)R->m01 * (double)v->x,
-      vo_1c = ksl_product_sum((double)R->m11, (double)v->y, vo_1a),
-      vo_1e = ksl_product_sum((double)R->m21, (double)v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = (double)R->m02 * (double)v->x,
-      vo_2c = ksl_product_sum((double)R->m12, (double)v->y, vo_2a),
-      vo_2e = ksl_product_sum((double)R->m22, (double)v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = (double)R->m00 * (double)v->x, vo_0c_lead = -vo_0a,
+      vo_0c = ksl_product_sum(-(double)R->m10, (double)v->y, vo_0c_lead),
+      vo_0 = ksl_product_sum(-(double)R->m20, (double)v->z, vo_0c);
+  const double vo_1a = (double)R->m01 * (double)v->x, vo_1c_lead = -vo_1a,
+      vo_1c = ksl_product_sum(-(double)R->m11, (double)v->y, vo_1c_lead),
+      vo_1 = ksl_product_sum(-(double)R->m21, (double)v->z, vo_1c);
+  const double vo_2a = (double)R->m02 * (double)v->x, vo_2c_lead = -vo_2a,
+      vo_2c = ksl_product_sum(-(double)R->m12, (double)v->y, vo_2c_lead),
+      vo_2 = ksl_product_sum(-(double)R->m22, (double)v->z, vo_2c);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

@@ -33,12 +33,12 @@ static inline void ksl_product_drv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t
      and underflow. */
 static inline void ksl_product_drvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m01, v->y, vo_0a),
-      vo_0e = fma(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
-      vo_1e = fma(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c = fma(R->m21, v->y, vo_2a),
-      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fma(-R->m01, v->y, vo_0c_lead), vo_0 = fma(-R->m02, v->z, vo_0c);
+  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fma(-R->m11, v->y, vo_1c_lead), vo_1 = fma(-R->m12, v->z, vo_1c);
+  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fma(-R->m21, v->y, vo_2c_lead), vo_2 = fma(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -69,12 +69,12 @@ static inline void ksl_product_drinvv_fused(const ksl_mat3x3_t *R, const ksl_vec
      and underflow. */
 static inline void ksl_product_drinvvinv_fused(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c = fma(R->m10, v->y, vo_0a),
-      vo_0e = fma(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c = fma(R->m11, v->y, vo_1a),
-      vo_1e = fma(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c = fma(R->m12, v->y, vo_2a),
-      vo_2e = fma(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fma(-R->m10, v->y, vo_0c_lead), vo_0 = fma(-R->m20, v->z, vo_0c);
+  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fma(-R->m11, v->y, vo_1c_lead), vo_1 = fma(-R->m21, v->z, vo_1c);
+  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fma(-R->m12, v->y, vo_2c_lead), vo_2 = fma(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1205,12 +1205,12 @@ static inline void ksl_product_drvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3
      and underflow. */
 static inline void ksl_product_drvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m01, v->y, vo_0a),
-      vo_0e = fmaf(R->m02, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
-      vo_1e = fmaf(R->m12, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c = fmaf(R->m21, v->y, vo_2a),
-      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fmaf(-R->m01, v->y, vo_0c_lead), vo_0 = fmaf(-R->m02, v->z, vo_0c);
+  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fmaf(-R->m11, v->y, vo_1c_lead), vo_1 = fmaf(-R->m12, v->z, vo_1c);
+  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fmaf(-R->m21, v->y, vo_2c_lead), vo_2 = fmaf(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1241,12 +1241,12 @@ static inline void ksl_product_drinvvf_fused(const ksl_mat3x3f_t *R, const ksl_v
      and underflow. */
 static inline void ksl_product_drinvvinvf_fused(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c = fmaf(R->m10, v->y, vo_0a),
-      vo_0e = fmaf(R->m20, v->z, vo_0c), vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c = fmaf(R->m11, v->y, vo_1a),
-      vo_1e = fmaf(R->m21, v->z, vo_1c), vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c = fmaf(R->m12, v->y, vo_2a),
-      vo_2e = fmaf(R->m22, v->z, vo_2c), vo_2 = -vo_2e;
+  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0c_lead = -vo_0a,
+      vo_0c = fmaf(-R->m10, v->y, vo_0c_lead), vo_0 = fmaf(-R->m20, v->z, vo_0c);
+  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1c_lead = -vo_1a,
+      vo_1c = fmaf(-R->m11, v->y, vo_1c_lead), vo_1 = fmaf(-R->m21, v->z, vo_1c);
+  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2c_lead = -vo_2a,
+      vo_2c = fmaf(-R->m12, v->y, vo_2c_lead), vo_2 = fmaf(-R->m22, v->z, vo_2c);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

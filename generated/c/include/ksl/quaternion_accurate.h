@@ -3047,7 +3047,7 @@ static inline void ksl_rotate_qconjvf_accurate(const ksl_quaternionf_t *q, const
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
+   16 mul, 12 add, 1 neg.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
@@ -3064,10 +3064,10 @@ static inline void ksl_product_qqf_accurate(const ksl_quaternionf_t *q1i,
       qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
       qo_2e = ksl_product_sum((double)q1i->z, (double)q2i->w, qo_2c),
       qo_2 = ksl_product_sum((double)q1i->w, (double)q2i->z, qo_2e);
-  const double qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
-      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
-      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
+  const double qo_3b = (double)q1i->x * (double)q2i->x, qo_3d_lead = -qo_3b,
+      qo_3d = ksl_product_sum(-(double)q1i->y, (double)q2i->y, qo_3d_lead),
+      qo_3f = ksl_product_sum(-(double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3134,7 +3134,7 @@ static inline void ksl_product_qconjqf_accurate(const ksl_quaternionf_t *q1i,
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   16 mul, 12 add.
+   16 mul, 12 add, 1 neg.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i,
@@ -3151,10 +3151,10 @@ static inline void ksl_product_qconjqconjf_accurate(const ksl_quaternionf_t *q1i
       qo_2c = ksl_product_sum(-(double)q1i->y, (double)q2i->x, qo_2a),
       qo_2e = ksl_product_sum(-(double)q1i->z, (double)q2i->w, qo_2c),
       qo_2 = ksl_product_sum(-(double)q1i->w, (double)q2i->z, qo_2e);
-  const double qo_3b = (double)q1i->x * (double)q2i->x,
-      qo_3d = ksl_product_sum((double)q1i->y, (double)q2i->y, qo_3b),
-      qo_3f = ksl_product_sum((double)q1i->z, (double)q2i->z, qo_3d),
-      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, -qo_3f);
+  const double qo_3b = (double)q1i->x * (double)q2i->x, qo_3d_lead = -qo_3b,
+      qo_3d = ksl_product_sum(-(double)q1i->y, (double)q2i->y, qo_3d_lead),
+      qo_3f = ksl_product_sum(-(double)q1i->z, (double)q2i->z, qo_3d),
+      qo_3 = ksl_product_sum((double)q1i->w, (double)q2i->w, qo_3f);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3193,8 +3193,8 @@ static inline void ksl_product_qxqconjf_accurate(const float dci[2], const ksl_q
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
   const double qo_1a = (double)dci[0] * (double)qi->z,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
-  const double qo_2a = (double)dci[0] * (double)qi->y,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)dci[0] * (double)qi->y, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[0] * (double)qi->x,
       qo_3 = ksl_product_sum((double)dci[1], (double)qi->w, qo_3a);
   qo->x = (float)qo_0;
@@ -3231,10 +3231,10 @@ static inline void ksl_product_qxconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qxconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->w,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = (double)dci[0] * (double)qi->z,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = (double)dci[0] * (double)qi->w, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
+  const double qo_1a = (double)dci[0] * (double)qi->z, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
   const double qo_2a = (double)dci[0] * (double)qi->y,
       qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
   const double qo_3a = (double)dci[1] * (double)qi->w,
@@ -3296,8 +3296,8 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
     ksl_quaternionf_t *qo) {
   const double qo_0a = (double)qi->w * (double)dci[0],
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
-  const double qo_1a = (double)qi->y * (double)dci[1],
-      qo_1c = ksl_product_sum((double)qi->z, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_1c_lead);
   const double qo_2a = (double)qi->y * (double)dci[0],
       qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
   const double qo_3a = (double)qi->x * (double)dci[0],
@@ -3315,12 +3315,12 @@ static inline void ksl_product_qconjqxf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqxconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->w, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_0c_lead);
   const double qo_1a = (double)qi->z * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
-  const double qo_2a = (double)qi->y * (double)dci[0],
-      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)qi->y * (double)dci[0], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2c_lead);
   const double qo_3a = (double)qi->w * (double)dci[1],
       qo_3 = ksl_product_sum(-(double)qi->x, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
@@ -3357,8 +3357,8 @@ static inline void ksl_product_qyqf_accurate(const float dci[2], const ksl_quate
      over- and underflow. */
 static inline void ksl_product_qyqconjf_accurate(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->z,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)dci[0] * (double)qi->z, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
   const double qo_1a = (double)dci[0] * (double)qi->w,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
   const double qo_2a = (double)dci[0] * (double)qi->x,
@@ -3401,10 +3401,10 @@ static inline void ksl_product_qyconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
   const double qo_0a = (double)dci[0] * (double)qi->z,
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
-  const double qo_1a = (double)dci[0] * (double)qi->w,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = (double)dci[0] * (double)qi->x,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = (double)dci[0] * (double)qi->w, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
+  const double qo_2a = (double)dci[0] * (double)qi->x, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[1] * (double)qi->w,
       qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->y, qo_3a);
   qo->x = (float)qo_0;
@@ -3466,8 +3466,8 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
   const double qo_1a = (double)qi->w * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
-  const double qo_2a = (double)qi->x * (double)dci[0],
-      qo_2c = ksl_product_sum((double)qi->z, (double)dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)qi->x * (double)dci[0], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2c_lead);
   const double qo_3a = (double)qi->y * (double)dci[0],
       qo_3 = ksl_product_sum((double)qi->w, (double)dci[1], qo_3a);
   qo->x = (float)qo_0;
@@ -3483,10 +3483,10 @@ static inline void ksl_product_qconjqyf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqyconjf_accurate(const ksl_quaternionf_t *qi,
     const float dci[2], ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->z, (double)dci[0], qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = (double)qi->y * (double)dci[1],
-      qo_1c = ksl_product_sum((double)qi->w, (double)dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_0c_lead);
+  const double qo_1a = (double)qi->y * (double)dci[1], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_1c_lead);
   const double qo_2a = (double)qi->x * (double)dci[0],
       qo_2 = ksl_product_sum(-(double)qi->z, (double)dci[1], qo_2a);
   const double qo_3a = (double)qi->w * (double)dci[1],
@@ -3527,8 +3527,8 @@ static inline void ksl_product_qzqconjf_accurate(const float dci[2], const ksl_q
     ksl_quaternionf_t *qo) {
   const double qo_0a = (double)dci[0] * (double)qi->y,
       qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0a);
-  const double qo_1a = (double)dci[0] * (double)qi->x,
-      qo_1c = ksl_product_sum((double)dci[1], (double)qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = (double)dci[0] * (double)qi->x, qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1c_lead);
   const double qo_2a = (double)dci[0] * (double)qi->w,
       qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2a);
   const double qo_3a = (double)dci[0] * (double)qi->z,
@@ -3567,12 +3567,12 @@ static inline void ksl_product_qzconjqf_accurate(const float dci[2], const ksl_q
      over- and underflow. */
 static inline void ksl_product_qzconjqconjf_accurate(const float dci[2],
     const ksl_quaternionf_t *qi, ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)dci[0] * (double)qi->y,
-      qo_0c = ksl_product_sum((double)dci[1], (double)qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)dci[0] * (double)qi->y, qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)dci[1], (double)qi->x, qo_0c_lead);
   const double qo_1a = (double)dci[0] * (double)qi->x,
       qo_1 = ksl_product_sum(-(double)dci[1], (double)qi->y, qo_1a);
-  const double qo_2a = (double)dci[0] * (double)qi->w,
-      qo_2c = ksl_product_sum((double)dci[1], (double)qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = (double)dci[0] * (double)qi->w, qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)dci[1], (double)qi->z, qo_2c_lead);
   const double qo_3a = (double)dci[1] * (double)qi->w,
       qo_3 = ksl_product_sum(-(double)dci[0], (double)qi->z, qo_3a);
   qo->x = (float)qo_0;
@@ -3630,8 +3630,8 @@ static inline void ksl_product_qqzconjf_accurate(const ksl_quaternionf_t *qi, co
      over- and underflow. */
 static inline void ksl_product_qconjqzf_accurate(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const double qo_0a = (double)qi->x * (double)dci[1],
-      qo_0c = ksl_product_sum((double)qi->y, (double)dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = (double)qi->x * (double)dci[1], qo_0c_lead = -qo_0a,
+      qo_0 = ksl_product_sum(-(double)qi->y, (double)dci[0], qo_0c_lead);
   const double qo_1a = (double)qi->x * (double)dci[0],
       qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1a);
   const double qo_2a = (double)qi->w * (double)dci[0],
@@ -3653,10 +3653,10 @@ static inline void ksl_product_qconjqzconjf_accurate(const ksl_quaternionf_t *qi
     const float dci[2], ksl_quaternionf_t *qo) {
   const double qo_0a = (double)qi->y * (double)dci[0],
       qo_0 = ksl_product_sum(-(double)qi->x, (double)dci[1], qo_0a);
-  const double qo_1a = (double)qi->x * (double)dci[0],
-      qo_1c = ksl_product_sum((double)qi->y, (double)dci[1], qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = (double)qi->z * (double)dci[1],
-      qo_2c = ksl_product_sum((double)qi->w, (double)dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = (double)qi->x * (double)dci[0], qo_1c_lead = -qo_1a,
+      qo_1 = ksl_product_sum(-(double)qi->y, (double)dci[1], qo_1c_lead);
+  const double qo_2a = (double)qi->z * (double)dci[1], qo_2c_lead = -qo_2a,
+      qo_2 = ksl_product_sum(-(double)qi->w, (double)dci[0], qo_2c_lead);
   const double qo_3a = (double)qi->w * (double)dci[1],
       qo_3 = ksl_product_sum(-(double)qi->z, (double)dci[0], qo_3a);
   qo->x = (float)qo_0;
@@ -3681,9 +3681,9 @@ static inline void ksl_product_qvf_accurate(const ksl_quaternionf_t *qi, const k
   const double qo_2a = (double)qi->x * (double)vi->y,
       qo_2c = ksl_product_sum(-(double)qi->y, (double)vi->x, qo_2a),
       qo_2 = ksl_product_sum((double)qi->w, (double)vi->z, qo_2c);
-  const double qo_3a = (double)qi->x * (double)vi->x,
-      qo_3c = ksl_product_sum((double)qi->y, (double)vi->y, qo_3a),
-      qo_3e = ksl_product_sum((double)qi->z, (double)vi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = (double)qi->x * (double)vi->x, qo_3c_lead = -qo_3a,
+      qo_3c = ksl_product_sum(-(double)qi->y, (double)vi->y, qo_3c_lead),
+      qo_3 = ksl_product_sum(-(double)qi->z, (double)vi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3731,9 +3731,9 @@ static inline void ksl_product_vqf_accurate(const ksl_vec3f_t *vi, const ksl_qua
   const double qo_2a = (double)vi->x * (double)qi->y,
       qo_2c = ksl_product_sum(-(double)vi->y, (double)qi->x, qo_2a),
       qo_2 = ksl_product_sum((double)vi->z, (double)qi->w, qo_2c);
-  const double qo_3a = (double)vi->x * (double)qi->x,
-      qo_3c = ksl_product_sum((double)vi->y, (double)qi->y, qo_3a),
-      qo_3e = ksl_product_sum((double)vi->z, (double)qi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = (double)vi->x * (double)qi->x, qo_3c_lead = -qo_3a,
+      qo_3c = ksl_product_sum(-(double)vi->y, (double)qi->y, qo_3c_lead),
+      qo_3 = ksl_product_sum(-(double)vi->z, (double)qi->z, qo_3c);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
@@ -3841,7 +3841,7 @@ static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_q
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   23 mul, 16 add.
+   23 mul, 16 add, 1 neg.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
@@ -3862,8 +3862,8 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
       dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, (double)qi->w), dqo_2e = dqo_2c + dqo_2d,
       dqo_2f = KSL_MUL((double)qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
   const double dqo_3a = KSL_MUL((double)qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, (double)qi->x),
-      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d = dqo_3b + dqo_3c,
-      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+      dqo_3c = KSL_MUL(dqo_0c, (double)qi->y), dqo_3d_lead = -dqo_3b, dqo_3d = dqo_3d_lead - dqo_3c,
+      dqo_3e = KSL_MUL(dqo_0e, (double)qi->z), dqo_3f = dqo_3d - dqo_3e, dqo_3 = dqo_3f + dqo_3a;
   dqo->x = (float)dqo_0;
   dqo->y = (float)dqo_1;
   dqo->z = (float)dqo_2;

@@ -95,7 +95,7 @@ static inline void ksl_rotate_qconjv_fused(const ksl_quaternion_t *q, const ksl_
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_quaternion_product_qq_fused(const ksl_quaternion_t *q1i,
@@ -106,8 +106,9 @@ static inline void ksl_quaternion_product_qq_fused(const ksl_quaternion_t *q1i,
       qo_1e = fma(q1i->y, q2i->w, qo_1c), qo_1 = fma(q1i->w, q2i->y, qo_1e);
   const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
       qo_2e = fma(q1i->z, q2i->w, qo_2c), qo_2 = fma(q1i->w, q2i->z, qo_2e);
-  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
-      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fma(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fma(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fma(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -158,7 +159,7 @@ static inline void ksl_quaternion_product_qconjq_fused(const ksl_quaternion_t *q
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_quaternion_product_qconjqconj_fused(const ksl_quaternion_t *q1i,
@@ -169,8 +170,9 @@ static inline void ksl_quaternion_product_qconjqconj_fused(const ksl_quaternion_
       qo_1e = fma(-q1i->y, q2i->w, qo_1c), qo_1 = fma(-q1i->w, q2i->y, qo_1e);
   const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2c = fma(-q1i->y, q2i->x, qo_2a),
       qo_2e = fma(-q1i->z, q2i->w, qo_2c), qo_2 = fma(-q1i->w, q2i->z, qo_2e);
-  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d = fma(q1i->y, q2i->y, qo_3b),
-      qo_3f = fma(q1i->z, q2i->z, qo_3d), qo_3 = fma(q1i->w, q2i->w, -qo_3f);
+  const double qo_3b = KSL_MUL(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fma(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fma(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fma(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -203,7 +205,8 @@ static inline void ksl_quaternion_product_qxqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0 = fma(-dci[1], qi->x, qo_0a);
   const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1 = fma(-dci[1], qi->y, qo_1a);
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3 = fma(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -235,8 +238,10 @@ static inline void ksl_quaternion_product_qxconjq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qxconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
+  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
   const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->x, qo_3a);
   qo->x = qo_0;
@@ -287,7 +292,8 @@ static inline void ksl_quaternion_product_qqxconj_fused(const ksl_quaternion_t *
 static inline void ksl_quaternion_product_qconjqx_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->z, dci[0], qo_1c_lead);
   const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
@@ -303,9 +309,11 @@ static inline void ksl_quaternion_product_qconjqx_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqxconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->w, dci[0], qo_0c_lead);
   const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->z, dci[1], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->x, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -337,7 +345,8 @@ static inline void ksl_quaternion_product_qyq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qyqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
   const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1 = fma(-dci[1], qi->y, qo_1a);
   const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3 = fma(dci[1], qi->w, qo_3a);
@@ -372,8 +381,10 @@ static inline void ksl_quaternion_product_qyconjq_fused(const double dci[2],
 static inline void ksl_quaternion_product_qyconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0 = fma(-dci[1], qi->x, qo_0a);
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
+  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->y, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -424,7 +435,8 @@ static inline void ksl_quaternion_product_qconjqy_fused(const ksl_quaternion_t *
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
   const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2c = fma(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->z, dci[1], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -439,8 +451,10 @@ static inline void ksl_quaternion_product_qconjqy_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqyconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c = fma(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->z, dci[0], qo_0c_lead);
+  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->w, dci[0], qo_1c_lead);
   const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->y, dci[0], qo_3a);
   qo->x = qo_0;
@@ -474,7 +488,8 @@ static inline void ksl_quaternion_product_qzq_fused(const double dci[2],
 static inline void ksl_quaternion_product_qzqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0 = fma(-dci[1], qi->x, qo_0a);
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1c = fma(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-dci[1], qi->y, qo_1c_lead);
   const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2 = fma(-dci[1], qi->z, qo_2a);
   const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3 = fma(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
@@ -507,9 +522,11 @@ static inline void ksl_quaternion_product_qzconjq_fused(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qzconjqconj_fused(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0c = fma(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-dci[1], qi->x, qo_0c_lead);
   const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1 = fma(-dci[1], qi->y, qo_1a);
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2c = fma(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-dci[1], qi->z, qo_2c_lead);
   const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3 = fma(-dci[0], qi->z, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -558,7 +575,8 @@ static inline void ksl_quaternion_product_qqzconj_fused(const ksl_quaternion_t *
      and underflow. */
 static inline void ksl_quaternion_product_qconjqz_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c = fma(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fma(-qi->y, dci[0], qo_0c_lead);
   const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1 = fma(-qi->y, dci[1], qo_1a);
   const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2 = fma(-qi->z, dci[1], qo_2a);
   const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3 = fma(qi->w, dci[1], qo_3a);
@@ -576,8 +594,10 @@ static inline void ksl_quaternion_product_qconjqz_fused(const ksl_quaternion_t *
 static inline void ksl_quaternion_product_qconjqzconj_fused(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
   const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0 = fma(-qi->x, dci[1], qo_0a);
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1c = fma(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2c = fma(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1c_lead = -qo_1a,
+      qo_1 = fma(-qi->y, dci[1], qo_1c_lead);
+  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2c_lead = -qo_2a,
+      qo_2 = fma(-qi->w, dci[0], qo_2c_lead);
   const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3 = fma(-qi->z, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -598,8 +618,8 @@ static inline void ksl_quaternion_product_qv_fused(const ksl_quaternion_t *qi,
       qo_1 = fma(qi->w, vi->y, qo_1c);
   const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2c = fma(-qi->y, vi->x, qo_2a),
       qo_2 = fma(qi->w, vi->z, qo_2c);
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c = fma(qi->y, vi->y, qo_3a),
-      qo_3e = fma(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fma(-qi->y, vi->y, qo_3c_lead), qo_3 = fma(-qi->z, vi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -640,8 +660,8 @@ static inline void ksl_quaternion_product_vq_fused(const ksl_vec3_t *vi,
       qo_1 = fma(vi->y, qi->w, qo_1c);
   const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2c = fma(-vi->y, qi->x, qo_2a),
       qo_2 = fma(vi->z, qi->w, qo_2c);
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c = fma(vi->y, qi->y, qo_3a),
-      qo_3e = fma(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fma(-vi->y, qi->y, qo_3c_lead), qo_3 = fma(-vi->z, qi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -734,7 +754,7 @@ static inline void ksl_subtract_dpiFromq_fused(const ksl_vec3_t *dpi, ksl_quater
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 16 fma.
+   7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_omega_to_dquaternion_fused(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
@@ -749,8 +769,9 @@ static inline void ksl_omega_to_dquaternion_fused(const ksl_vec3_t *w, const ksl
       dqo_1e = fma(dqo_0c, qi->w, dqo_1c), dqo_1 = fma(qi->y, dqo_0p, dqo_1e);
   const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2c = fma(-dqo_0c, qi->x, dqo_2a),
       dqo_2e = fma(dqo_0e, qi->w, dqo_2c), dqo_2 = fma(qi->z, dqo_0p, dqo_2e);
-  const double dqo_3b = KSL_MUL(dqo_0a, qi->x), dqo_3d = fma(dqo_0c, qi->y, dqo_3b),
-      dqo_3f = fma(dqo_0e, qi->z, dqo_3d), dqo_3 = fma(qi->w, dqo_0p, -dqo_3f);
+  const double dqo_3b = KSL_MUL(dqo_0a, qi->x), dqo_3d_lead = -dqo_3b,
+      dqo_3d = fma(-dqo_0c, qi->y, dqo_3d_lead), dqo_3f = fma(-dqo_0e, qi->z, dqo_3d),
+      dqo_3 = fma(qi->w, dqo_0p, dqo_3f);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -844,7 +865,7 @@ static inline void ksl_rotate_qconjvf_fused(const ksl_quaternionf_t *q, const ks
 
 /* qo = q1i q2i.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1i,
@@ -855,8 +876,9 @@ static inline void ksl_product_qqf_fused(const ksl_quaternionf_t *q1i,
       qo_1e = fmaf(q1i->y, q2i->w, qo_1c), qo_1 = fmaf(q1i->w, q2i->y, qo_1e);
   const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
       qo_2e = fmaf(q1i->z, q2i->w, qo_2c), qo_2 = fmaf(q1i->w, q2i->z, qo_2e);
-  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
-      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fmaf(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fmaf(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fmaf(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -907,7 +929,7 @@ static inline void ksl_product_qconjqf_fused(const ksl_quaternionf_t *q1i,
 
 /* qo = q1i* q2i*.
    q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-   4 mul, 12 fma.
+   4 mul, 12 fma, 1 neg.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_qconjqconjf_fused(const ksl_quaternionf_t *q1i,
@@ -918,8 +940,9 @@ static inline void ksl_product_qconjqconjf_fused(const ksl_quaternionf_t *q1i,
       qo_1e = fmaf(-q1i->y, q2i->w, qo_1c), qo_1 = fmaf(-q1i->w, q2i->y, qo_1e);
   const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2c = fmaf(-q1i->y, q2i->x, qo_2a),
       qo_2e = fmaf(-q1i->z, q2i->w, qo_2c), qo_2 = fmaf(-q1i->w, q2i->z, qo_2e);
-  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d = fmaf(q1i->y, q2i->y, qo_3b),
-      qo_3f = fmaf(q1i->z, q2i->z, qo_3d), qo_3 = fmaf(q1i->w, q2i->w, -qo_3f);
+  const float qo_3b = KSL_MULF(q1i->x, q2i->x), qo_3d_lead = -qo_3b,
+      qo_3d = fmaf(-q1i->y, q2i->y, qo_3d_lead), qo_3f = fmaf(-q1i->z, q2i->z, qo_3d),
+      qo_3 = fmaf(q1i->w, q2i->w, qo_3f);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -952,7 +975,8 @@ static inline void ksl_product_qxqconjf_fused(const float dci[2], const ksl_quat
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
   const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3 = fmaf(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -984,8 +1008,10 @@ static inline void ksl_product_qxconjqf_fused(const float dci[2], const ksl_quat
      and underflow. */
 static inline void ksl_product_qxconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
+  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
   const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->x, qo_3a);
   qo->x = qo_0;
@@ -1036,7 +1062,8 @@ static inline void ksl_product_qqxconjf_fused(const ksl_quaternionf_t *qi, const
 static inline void ksl_product_qconjqxf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->z, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->z, dci[0], qo_1c_lead);
   const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
@@ -1052,9 +1079,11 @@ static inline void ksl_product_qconjqxf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqxconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->w, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->w, dci[0], qo_0c_lead);
   const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->z, dci[1], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->x, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1086,7 +1115,8 @@ static inline void ksl_product_qyqf_fused(const float dci[2], const ksl_quaterni
      and underflow. */
 static inline void ksl_product_qyqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
   const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
   const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3 = fmaf(dci[1], qi->w, qo_3a);
@@ -1121,8 +1151,10 @@ static inline void ksl_product_qyconjqf_fused(const float dci[2], const ksl_quat
 static inline void ksl_product_qyconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
+  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->y, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1173,7 +1205,8 @@ static inline void ksl_product_qconjqyf_fused(const ksl_quaternionf_t *qi, const
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
   const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2c = fmaf(qi->z, dci[1], qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->z, dci[1], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1188,8 +1221,10 @@ static inline void ksl_product_qconjqyf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqyconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->z, dci[0], qo_0a), qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c = fmaf(qi->w, dci[0], qo_1a), qo_1 = -qo_1c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->z, dci[0], qo_0c_lead);
+  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->w, dci[0], qo_1c_lead);
   const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->y, dci[0], qo_3a);
   qo->x = qo_0;
@@ -1223,7 +1258,8 @@ static inline void ksl_product_qzqf_fused(const float dci[2], const ksl_quaterni
 static inline void ksl_product_qzqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0 = fmaf(-dci[1], qi->x, qo_0a);
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1c = fmaf(dci[1], qi->y, qo_1a), qo_1 = -qo_1c;
+  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-dci[1], qi->y, qo_1c_lead);
   const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2 = fmaf(-dci[1], qi->z, qo_2a);
   const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3 = fmaf(dci[1], qi->w, qo_3a);
   qo->x = qo_0;
@@ -1256,9 +1292,11 @@ static inline void ksl_product_qzconjqf_fused(const float dci[2], const ksl_quat
      and underflow. */
 static inline void ksl_product_qzconjqconjf_fused(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0c = fmaf(dci[1], qi->x, qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-dci[1], qi->x, qo_0c_lead);
   const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1 = fmaf(-dci[1], qi->y, qo_1a);
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2c = fmaf(dci[1], qi->z, qo_2a), qo_2 = -qo_2c;
+  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-dci[1], qi->z, qo_2c_lead);
   const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3 = fmaf(-dci[0], qi->z, qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1307,7 +1345,8 @@ static inline void ksl_product_qqzconjf_fused(const ksl_quaternionf_t *qi, const
      and underflow. */
 static inline void ksl_product_qconjqzf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c = fmaf(qi->y, dci[0], qo_0a), qo_0 = -qo_0c;
+  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0c_lead = -qo_0a,
+      qo_0 = fmaf(-qi->y, dci[0], qo_0c_lead);
   const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1 = fmaf(-qi->y, dci[1], qo_1a);
   const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2 = fmaf(-qi->z, dci[1], qo_2a);
   const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3 = fmaf(qi->w, dci[1], qo_3a);
@@ -1325,8 +1364,10 @@ static inline void ksl_product_qconjqzf_fused(const ksl_quaternionf_t *qi, const
 static inline void ksl_product_qconjqzconjf_fused(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
   const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0 = fmaf(-qi->x, dci[1], qo_0a);
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1c = fmaf(qi->y, dci[1], qo_1a), qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2c = fmaf(qi->w, dci[0], qo_2a), qo_2 = -qo_2c;
+  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1c_lead = -qo_1a,
+      qo_1 = fmaf(-qi->y, dci[1], qo_1c_lead);
+  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2c_lead = -qo_2a,
+      qo_2 = fmaf(-qi->w, dci[0], qo_2c_lead);
   const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3 = fmaf(-qi->z, dci[0], qo_3a);
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1347,8 +1388,8 @@ static inline void ksl_product_qvf_fused(const ksl_quaternionf_t *qi, const ksl_
       qo_1 = fmaf(qi->w, vi->y, qo_1c);
   const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2c = fmaf(-qi->y, vi->x, qo_2a),
       qo_2 = fmaf(qi->w, vi->z, qo_2c);
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c = fmaf(qi->y, vi->y, qo_3a),
-      qo_3e = fmaf(qi->z, vi->z, qo_3c), qo_3 = -qo_3e;
+  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fmaf(-qi->y, vi->y, qo_3c_lead), qo_3 = fmaf(-qi->z, vi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1389,8 +1430,8 @@ static inline void ksl_product_vqf_fused(const ksl_vec3f_t *vi, const ksl_quater
       qo_1 = fmaf(vi->y, qi->w, qo_1c);
   const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2c = fmaf(-vi->y, qi->x, qo_2a),
       qo_2 = fmaf(vi->z, qi->w, qo_2c);
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c = fmaf(vi->y, qi->y, qo_3a),
-      qo_3e = fmaf(vi->z, qi->z, qo_3c), qo_3 = -qo_3e;
+  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3c_lead = -qo_3a,
+      qo_3c = fmaf(-vi->y, qi->y, qo_3c_lead), qo_3 = fmaf(-vi->z, qi->z, qo_3c);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1483,7 +1524,7 @@ static inline void ksl_subtract_dpiFromqf_fused(const ksl_vec3f_t *dpi, ksl_quat
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
      reference frame, rad/s, and what draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-   7 mul, 16 fma.
+   7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
@@ -1498,8 +1539,9 @@ static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
       dqo_1e = fmaf(dqo_0c, qi->w, dqo_1c), dqo_1 = fmaf(qi->y, dqo_0p, dqo_1e);
   const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2c = fmaf(-dqo_0c, qi->x, dqo_2a),
       dqo_2e = fmaf(dqo_0e, qi->w, dqo_2c), dqo_2 = fmaf(qi->z, dqo_0p, dqo_2e);
-  const float dqo_3b = KSL_MULF(dqo_0a, qi->x), dqo_3d = fmaf(dqo_0c, qi->y, dqo_3b),
-      dqo_3f = fmaf(dqo_0e, qi->z, dqo_3d), dqo_3 = fmaf(qi->w, dqo_0p, -dqo_3f);
+  const float dqo_3b = KSL_MULF(dqo_0a, qi->x), dqo_3d_lead = -dqo_3b,
+      dqo_3d = fmaf(-dqo_0c, qi->y, dqo_3d_lead), dqo_3f = fmaf(-dqo_0e, qi->z, dqo_3d),
+      dqo_3 = fmaf(qi->w, dqo_0p, dqo_3f);
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;

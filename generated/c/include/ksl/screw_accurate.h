@@ -2038,64 +2038,64 @@ static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
       a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
       a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
       a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
-      a_0 = a_0c + a_0d, a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right,
-      a_0_left_rest = a_0c - a_0_left,
-      a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
-      a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
+      a_0e = a_0c + a_0d, a_0e_right = a_0e - a_0c, a_0e_left = a_0e - a_0e_right,
+      a_0e_left_rest = a_0c - a_0e_left,
+      a_0e_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0e_right),
+      a_0e_lo1 = a_0e_left_rest + a_0e_right_rest, a_0e_lo = a_0e_lo1 + a_0c_lo, a_0 = -a_0e,
+      a_0_lo = -a_0e_lo;
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
       a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
       a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
       a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
       a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
-      a_1 = a_1c + a_1d, a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right,
-      a_1_left_rest = a_1c - a_1_left,
-      a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
-      a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
+      a_1e = a_1c + a_1d, a_1e_right = a_1e - a_1c, a_1e_left = a_1e - a_1e_right,
+      a_1e_left_rest = a_1c - a_1e_left,
+      a_1e_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1e_right),
+      a_1e_lo1 = a_1e_left_rest + a_1e_right_rest, a_1e_lo = a_1e_lo1 + a_1c_lo, a_1 = -a_1e,
+      a_1_lo = -a_1e_lo;
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
       a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
       a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
       a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
       a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
-      a_2 = a_2c + a_2d, a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right,
-      a_2_left_rest = a_2c - a_2_left,
-      a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
-      a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0a_cross2 = KSL_MUL(D->m23, a_1_lo),
-      so_0b = KSL_MUL(D->m13, a_2), so_0b_cross2 = KSL_MUL(D->m13, a_2_lo), so_0 = so_0a - so_0b,
+      a_2e = a_2c + a_2d, a_2e_right = a_2e - a_2c, a_2e_left = a_2e - a_2e_right,
+      a_2e_left_rest = a_2c - a_2e_left,
+      a_2e_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2e_right),
+      a_2e_lo1 = a_2e_left_rest + a_2e_right_rest, a_2e_lo = a_2e_lo1 + a_2c_lo, a_2 = -a_2e,
+      a_2_lo = -a_2e_lo;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0a_cross2 = KSL_MUL(D->m13, a_2_lo),
+      so_0b = KSL_MUL(D->m23, a_1), so_0b_cross2 = KSL_MUL(D->m23, a_1_lo), so_0 = so_0a - so_0b,
       so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m23, a_1, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m13, a_2, so_0b, so_0_right),
+      so_0_left_rest = ksl_product_rest(D->m13, a_2, so_0a, so_0_left),
+      so_0_right_rest = ksl_product_rest(D->m23, a_1, so_0b, so_0_right),
       so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
       so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1a_cross2 = KSL_MUL(D->m03, a_2_lo),
-      so_1b = KSL_MUL(D->m23, a_0), so_1b_cross2 = KSL_MUL(D->m23, a_0_lo), so_1 = so_1a - so_1b,
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1a_cross2 = KSL_MUL(D->m23, a_0_lo),
+      so_1b = KSL_MUL(D->m03, a_2), so_1b_cross2 = KSL_MUL(D->m03, a_2_lo), so_1 = so_1a - so_1b,
       so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m03, a_2, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m23, a_0, so_1b, so_1_right),
+      so_1_left_rest = ksl_product_rest(D->m23, a_0, so_1a, so_1_left),
+      so_1_right_rest = ksl_product_rest(D->m03, a_2, so_1b, so_1_right),
       so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
       so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2a_cross2 = KSL_MUL(D->m13, a_0_lo),
-      so_2b = KSL_MUL(D->m03, a_1), so_2b_cross2 = KSL_MUL(D->m03, a_1_lo), so_2 = so_2a - so_2b,
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2a_cross2 = KSL_MUL(D->m03, a_1_lo),
+      so_2b = KSL_MUL(D->m13, a_0), so_2b_cross2 = KSL_MUL(D->m13, a_0_lo), so_2 = so_2a - so_2b,
       so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m13, a_0, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m03, a_1, so_2b, so_2_right),
+      so_2_left_rest = ksl_product_rest(D->m03, a_1, so_2a, so_2_left),
+      so_2_right_rest = ksl_product_rest(D->m13, a_0, so_2b, so_2_right),
       so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
       so_2_lo = so_2_lo1 + so_2_cross;
-  const double so_3 = -a_0, so_3_lo = -a_0_lo;
-  const double so_4 = -a_1, so_4_lo = -a_1_lo;
-  const double so_5 = -a_2, so_5_lo = -a_2_lo;
   const double so_0_rounded = so_0 + so_0_lo;
   const double so_1_rounded = so_1 + so_1_lo;
   const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+  const double a_0_rounded = a_0 + a_0_lo;
+  const double a_1_rounded = a_1 + a_1_lo;
+  const double a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
-  so->m3 = so_3_rounded;
-  so->m4 = so_4_rounded;
-  so->m5 = so_5_rounded;
+  so->m3 = a_0_rounded;
+  so->m4 = a_1_rounded;
+  so->m5 = a_2_rounded;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -2622,24 +2622,24 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
      over- and underflow. */
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0,
-      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
-      so_0e = ksl_product_sum((double)R->m02, (double)si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = (double)R->m10 * (double)si->m0,
-      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
-      so_1e = ksl_product_sum((double)R->m12, (double)si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = (double)R->m20 * (double)si->m0,
-      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
-      so_2e = ksl_product_sum((double)R->m22, (double)si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = (double)R->m00 * (double)si->m3,
-      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
-      so_3e = ksl_product_sum((double)R->m02, (double)si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = (double)R->m10 * (double)si->m3,
-      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
-      so_4e = ksl_product_sum((double)R->m12, (double)si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = (double)R->m20 * (double)si->m3,
-      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
-      so_5e = ksl_product_sum((double)R->m22, (double)si->m5, so_5c), so_5 = -so_5e;
+  const double so_0a = (double)R->m00 * (double)si->m0, so_0c_lead = -so_0a,
+      so_0c = ksl_product_sum(-(double)R->m01, (double)si->m1, so_0c_lead),
+      so_0 = ksl_product_sum(-(double)R->m02, (double)si->m2, so_0c);
+  const double so_1a = (double)R->m10 * (double)si->m0, so_1c_lead = -so_1a,
+      so_1c = ksl_product_sum(-(double)R->m11, (double)si->m1, so_1c_lead),
+      so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2, so_1c);
+  const double so_2a = (double)R->m20 * (double)si->m0, so_2c_lead = -so_2a,
+      so_2c = ksl_product_sum(-(double)R->m21, (double)si->m1, so_2c_lead),
+      so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2, so_2c);
+  const double so_3a = (double)R->m00 * (double)si->m3, so_3c_lead = -so_3a,
+      so_3c = ksl_product_sum(-(double)R->m01, (double)si->m4, so_3c_lead),
+      so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5, so_3c);
+  const double so_4a = (double)R->m10 * (double)si->m3, so_4c_lead = -so_4a,
+      so_4c = ksl_product_sum(-(double)R->m11, (double)si->m4, so_4c_lead),
+      so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5, so_4c);
+  const double so_5a = (double)R->m20 * (double)si->m3, so_5c_lead = -so_5a,
+      so_5c = ksl_product_sum(-(double)R->m21, (double)si->m4, so_5c_lead),
+      so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5, so_5c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2730,24 +2730,24 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
-      w_0e = ksl_product_sum((double)D->m02, (double)si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = (double)D->m10 * (double)si->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
-      w_1e = ksl_product_sum((double)D->m12, (double)si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = (double)D->m20 * (double)si->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
-      w_2e = ksl_product_sum((double)D->m22, (double)si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = (double)D->m00 * (double)si->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
-      w_3e = ksl_product_sum((double)D->m02, (double)si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = (double)D->m10 * (double)si->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
-      w_4e = ksl_product_sum((double)D->m12, (double)si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = (double)D->m20 * (double)si->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
-      w_5e = ksl_product_sum((double)D->m22, (double)si->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = (double)D->m00 * (double)si->m0, w_0c_lead = -w_0a,
+      w_0c = ksl_product_sum(-(double)D->m01, (double)si->m1, w_0c_lead),
+      w_0 = ksl_product_sum(-(double)D->m02, (double)si->m2, w_0c);
+  const double w_1a = (double)D->m10 * (double)si->m0, w_1c_lead = -w_1a,
+      w_1c = ksl_product_sum(-(double)D->m11, (double)si->m1, w_1c_lead),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2, w_1c);
+  const double w_2a = (double)D->m20 * (double)si->m0, w_2c_lead = -w_2a,
+      w_2c = ksl_product_sum(-(double)D->m21, (double)si->m1, w_2c_lead),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2, w_2c);
+  const double w_3a = (double)D->m00 * (double)si->m3, w_3c_lead = -w_3a,
+      w_3c = ksl_product_sum(-(double)D->m01, (double)si->m4, w_3c_lead),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5, w_3c);
+  const double w_4a = (double)D->m10 * (double)si->m3, w_4c_lead = -w_4a,
+      w_4c = ksl_product_sum(-(double)D->m11, (double)si->m4, w_4c_lead),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5, w_4c);
+  const double w_5a = (double)D->m20 * (double)si->m3, w_5c_lead = -w_5a,
+      w_5c = ksl_product_sum(-(double)D->m21, (double)si->m4, w_5c_lead),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5, w_5c);
   const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
       so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
@@ -3102,30 +3102,27 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x,
-      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
-      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
-  const double a_1a = (double)D->m10 * (double)axis->x,
-      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
-      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
-  const double a_2a = (double)D->m20 * (double)axis->x,
-      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
-      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
-  const double so_0a = KSL_MUL((double)D->m23, a_1), so_0b = KSL_MUL((double)D->m13, a_2),
+  const double a_0a = (double)D->m00 * (double)axis->x, a_0c_lead = -a_0a,
+      a_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, a_0c_lead),
+      a_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, a_0c);
+  const double a_1a = (double)D->m10 * (double)axis->x, a_1c_lead = -a_1a,
+      a_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, a_1c_lead),
+      a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, a_1c);
+  const double a_2a = (double)D->m20 * (double)axis->x, a_2c_lead = -a_2a,
+      a_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, a_2c_lead),
+      a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, a_2c);
+  const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
       so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL((double)D->m03, a_2), so_1b = KSL_MUL((double)D->m23, a_0),
+  const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
       so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL((double)D->m13, a_0), so_2b = KSL_MUL((double)D->m03, a_1),
+  const double so_2a = KSL_MUL((double)D->m03, a_1), so_2b = KSL_MUL((double)D->m13, a_0),
       so_2 = so_2a - so_2b;
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
-  so->m3 = (float)so_3;
-  so->m4 = (float)so_4;
-  so->m5 = (float)so_5;
+  so->m3 = (float)a_0;
+  so->m4 = (float)a_1;
+  so->m5 = (float)a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -3135,15 +3132,15 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
      formula; barring over- and underflow. */
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x,
-      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
-      so_0e = ksl_product_sum((double)D->m02, (double)axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = (double)D->m10 * (double)axis->x,
-      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
-      so_1e = ksl_product_sum((double)D->m12, (double)axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = (double)D->m20 * (double)axis->x,
-      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
-      so_2e = ksl_product_sum((double)D->m22, (double)axis->z, so_2c), so_2 = -so_2e;
+  const double so_0a = (double)D->m00 * (double)axis->x, so_0c_lead = -so_0a,
+      so_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, so_0c_lead),
+      so_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, so_0c);
+  const double so_1a = (double)D->m10 * (double)axis->x, so_1c_lead = -so_1a,
+      so_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, so_1c_lead),
+      so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, so_1c);
+  const double so_2a = (double)D->m20 * (double)axis->x, so_2c_lead = -so_2a,
+      so_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, so_2c_lead),
+      so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, so_2c);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

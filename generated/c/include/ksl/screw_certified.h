@@ -1368,54 +1368,51 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
 static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
+      a_0d = KSL_MUL(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
+      a_1d = KSL_MUL(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0b = KSL_MUL(D->m13, a_2), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1b = KSL_MUL(D->m23, a_0), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2b = KSL_MUL(D->m03, a_1), so_2 = so_2a - so_2b;
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
+      a_2d = KSL_MUL(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
   const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabs(a_0d), a_0_size = a_0c_size + a_0d_abs;
+      a_0d_abs = fabs(a_0d), a_0e_size = a_0c_size + a_0d_abs;
   const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabs(a_1d), a_1_size = a_1c_size + a_1d_abs;
+      a_1d_abs = fabs(a_1d), a_1e_size = a_1c_size + a_1d_abs;
   const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
-  const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0a_size = KSL_MUL(D_23_abs, a_1_padded);
-  const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0b_size = KSL_MUL(D_13_abs, a_2_padded),
+      a_2d_abs = fabs(a_2d), a_2e_size = a_2c_size + a_2d_abs;
+  const double a_2e_padded = a_2e_size + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, a_2e_padded);
+  const double a_1e_padded = a_1e_size + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, a_1e_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const double D_03_abs = fabs(D->m03), so_1a_size = KSL_MUL(D_03_abs, a_2_padded);
-  const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1b_size = KSL_MUL(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = KSL_MUL(D_13_abs, a_0_padded),
-      so_2b_size = KSL_MUL(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
+  const double a_0e_padded = a_0e_size + 2.004168360008973e-292;
+  const double so_1a_size = KSL_MUL(D_23_abs, a_0e_padded), D_03_abs = fabs(D->m03),
+      so_1b_size = KSL_MUL(D_03_abs, a_2e_padded), so_1_size = so_1a_size + so_1b_size;
+  const double so_2a_size = KSL_MUL(D_03_abs, a_1e_padded),
+      so_2b_size = KSL_MUL(D_13_abs, a_0e_padded), so_2_size = so_2a_size + so_2b_size;
   const double so_0_padded = so_0_size + 2.004168360008973e-292,
       so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
   const double so_1_padded = so_1_size + 2.004168360008973e-292,
       so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
   const double so_2_padded = so_2_size + 2.004168360008973e-292,
       so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
-  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
-  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
-  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
+  const double a_0e_error_bound = KSL_MUL(3.3306690738754706e-16, a_0e_padded);
+  const double a_1e_error_bound = KSL_MUL(3.3306690738754706e-16, a_1e_padded);
+  const double a_2e_error_bound = KSL_MUL(3.3306690738754706e-16, a_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
   so_bound->m0 = so_0_error_bound;
   so_bound->m1 = so_1_error_bound;
   so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0_error_bound;
-  so_bound->m4 = a_1_error_bound;
-  so_bound->m5 = a_2_error_bound;
+  so_bound->m3 = a_0e_error_bound;
+  so_bound->m4 = a_1e_error_bound;
+  so_bound->m5 = a_2e_error_bound;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
@@ -2854,54 +2851,51 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
 static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
   const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
   const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const float so_0a = KSL_MULF(D->m23, a_1), so_0b = KSL_MULF(D->m13, a_2), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m03, a_2), so_1b = KSL_MULF(D->m23, a_0), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m13, a_0), so_2b = KSL_MULF(D->m03, a_1), so_2 = so_2a - so_2b;
-  const float so_3 = -a_0;
-  const float so_4 = -a_1;
-  const float so_5 = -a_2;
+      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
   const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabsf(a_0d), a_0_size = a_0c_size + a_0d_abs;
+      a_0d_abs = fabsf(a_0d), a_0e_size = a_0c_size + a_0d_abs;
   const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabsf(a_1d), a_1_size = a_1c_size + a_1d_abs;
+      a_1d_abs = fabsf(a_1d), a_1e_size = a_1c_size + a_1d_abs;
   const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
-  const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0a_size = KSL_MULF(D_23_abs, a_1_padded);
-  const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0b_size = KSL_MULF(D_13_abs, a_2_padded),
+      a_2d_abs = fabsf(a_2d), a_2e_size = a_2c_size + a_2d_abs;
+  const float a_2e_padded = a_2e_size + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, a_2e_padded);
+  const float a_1e_padded = a_1e_size + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, a_1e_padded),
       so_0_size = so_0a_size + so_0b_size;
-  const float D_03_abs = fabsf(D->m03), so_1a_size = KSL_MULF(D_03_abs, a_2_padded);
-  const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1b_size = KSL_MULF(D_23_abs, a_0_padded), so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = KSL_MULF(D_13_abs, a_0_padded),
-      so_2b_size = KSL_MULF(D_03_abs, a_1_padded), so_2_size = so_2a_size + so_2b_size;
+  const float a_0e_padded = a_0e_size + 1.9721523e-31f;
+  const float so_1a_size = KSL_MULF(D_23_abs, a_0e_padded), D_03_abs = fabsf(D->m03),
+      so_1b_size = KSL_MULF(D_03_abs, a_2e_padded), so_1_size = so_1a_size + so_1b_size;
+  const float so_2a_size = KSL_MULF(D_03_abs, a_1e_padded),
+      so_2b_size = KSL_MULF(D_13_abs, a_0e_padded), so_2_size = so_2a_size + so_2b_size;
   const float so_0_padded = so_0_size + 1.9721523e-31f,
       so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
   const float so_1_padded = so_1_size + 1.9721523e-31f,
       so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
   const float so_2_padded = so_2_size + 1.9721523e-31f,
       so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
-  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
-  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
-  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
+  const float a_0e_error_bound = KSL_MULF(1.7881396e-07f, a_0e_padded);
+  const float a_1e_error_bound = KSL_MULF(1.7881396e-07f, a_1e_padded);
+  const float a_2e_error_bound = KSL_MULF(1.7881396e-07f, a_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
   so_bound->m0 = so_0_error_bound;
   so_bound->m1 = so_1_error_bound;
   so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0_error_bound;
-  so_bound->m4 = a_1_error_bound;
-  so_bound->m5 = a_2_error_bound;
+  so_bound->m3 = a_0e_error_bound;
+  so_bound->m4 = a_1e_error_bound;
+  so_bound->m5 = a_2e_error_bound;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.

@@ -295,18 +295,18 @@ static inline void ksl_product_Adrinvs_fused(const ksl_mat3x3_t *R, const ksl_sc
      and underflow. */
 static inline void ksl_product_Adrsinv_fused(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c = fma(R->m01, si->m1, so_0a),
-      so_0e = fma(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c = fma(R->m11, si->m1, so_1a),
-      so_1e = fma(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c = fma(R->m21, si->m1, so_2a),
-      so_2e = fma(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c = fma(R->m01, si->m4, so_3a),
-      so_3e = fma(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c = fma(R->m11, si->m4, so_4a),
-      so_4e = fma(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c = fma(R->m21, si->m4, so_5a),
-      so_5e = fma(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  const double so_0a = KSL_MUL(R->m00, si->m0), so_0c_lead = -so_0a,
+      so_0c = fma(-R->m01, si->m1, so_0c_lead), so_0 = fma(-R->m02, si->m2, so_0c);
+  const double so_1a = KSL_MUL(R->m10, si->m0), so_1c_lead = -so_1a,
+      so_1c = fma(-R->m11, si->m1, so_1c_lead), so_1 = fma(-R->m12, si->m2, so_1c);
+  const double so_2a = KSL_MUL(R->m20, si->m0), so_2c_lead = -so_2a,
+      so_2c = fma(-R->m21, si->m1, so_2c_lead), so_2 = fma(-R->m22, si->m2, so_2c);
+  const double so_3a = KSL_MUL(R->m00, si->m3), so_3c_lead = -so_3a,
+      so_3c = fma(-R->m01, si->m4, so_3c_lead), so_3 = fma(-R->m02, si->m5, so_3c);
+  const double so_4a = KSL_MUL(R->m10, si->m3), so_4c_lead = -so_4a,
+      so_4c = fma(-R->m11, si->m4, so_4c_lead), so_4 = fma(-R->m12, si->m5, so_4c);
+  const double so_5a = KSL_MUL(R->m20, si->m3), so_5c_lead = -so_5a,
+      so_5c = fma(-R->m21, si->m4, so_5c_lead), so_5 = fma(-R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -385,18 +385,18 @@ static inline void ksl_product_Adinvs_fused(const ksl_SE3_t *D, const ksl_screw_
      barring over- and underflow. */
 static inline void ksl_product_Adsinv_fused(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c = fma(D->m01, si->m1, w_0a),
-      w_0e = fma(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c = fma(D->m11, si->m1, w_1a),
-      w_1e = fma(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c = fma(D->m21, si->m1, w_2a),
-      w_2e = fma(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c = fma(D->m01, si->m4, w_3a),
-      w_3e = fma(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c = fma(D->m11, si->m4, w_4a),
-      w_4e = fma(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c = fma(D->m21, si->m4, w_5a),
-      w_5e = fma(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0c_lead = -w_0a,
+      w_0c = fma(-D->m01, si->m1, w_0c_lead), w_0 = fma(-D->m02, si->m2, w_0c);
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1c_lead = -w_1a,
+      w_1c = fma(-D->m11, si->m1, w_1c_lead), w_1 = fma(-D->m12, si->m2, w_1c);
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2c_lead = -w_2a,
+      w_2c = fma(-D->m21, si->m1, w_2c_lead), w_2 = fma(-D->m22, si->m2, w_2c);
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3c_lead = -w_3a,
+      w_3c = fma(-D->m01, si->m4, w_3c_lead), w_3 = fma(-D->m02, si->m5, w_3c);
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4c_lead = -w_4a,
+      w_4c = fma(-D->m11, si->m4, w_4c_lead), w_4 = fma(-D->m12, si->m5, w_4c);
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5c_lead = -w_5a,
+      w_5c = fma(-D->m21, si->m4, w_5c_lead), w_5 = fma(-D->m22, si->m5, w_5c);
   const double so_0a = KSL_MUL(D->m13, w_5), so_0c = fma(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
   const double so_1a = KSL_MUL(D->m23, w_3), so_1c = fma(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
   const double so_2a = KSL_MUL(D->m03, w_4), so_2c = fma(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
@@ -694,24 +694,21 @@ static inline void ksl_hsta_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ks
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c = fma(D->m01, axis->y, a_0a),
-      a_0 = fma(D->m02, axis->z, a_0c);
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c = fma(D->m11, axis->y, a_1a),
-      a_1 = fma(D->m12, axis->z, a_1c);
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c = fma(D->m21, axis->y, a_2a),
-      a_2 = fma(D->m22, axis->z, a_2c);
-  const double so_0a = KSL_MUL(D->m23, a_1), so_0 = fma(-D->m13, a_2, so_0a);
-  const double so_1a = KSL_MUL(D->m03, a_2), so_1 = fma(-D->m23, a_0, so_1a);
-  const double so_2a = KSL_MUL(D->m13, a_0), so_2 = fma(-D->m03, a_1, so_2a);
-  const double so_3 = -a_0;
-  const double so_4 = -a_1;
-  const double so_5 = -a_2;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0c_lead = -a_0a,
+      a_0c = fma(-D->m01, axis->y, a_0c_lead), a_0 = fma(-D->m02, axis->z, a_0c);
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1c_lead = -a_1a,
+      a_1c = fma(-D->m11, axis->y, a_1c_lead), a_1 = fma(-D->m12, axis->z, a_1c);
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2c_lead = -a_2a,
+      a_2c = fma(-D->m21, axis->y, a_2c_lead), a_2 = fma(-D->m22, axis->z, a_2c);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0 = fma(-D->m23, a_1, so_0a);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1 = fma(-D->m03, a_2, so_1a);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2 = fma(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -720,12 +717,12 @@ static inline void ksl_hsrainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis,
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv_fused(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c = fma(D->m01, axis->y, so_0a),
-      so_0e = fma(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c = fma(D->m11, axis->y, so_1a),
-      so_1e = fma(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c = fma(D->m21, axis->y, so_2a),
-      so_2e = fma(D->m22, axis->z, so_2c), so_2 = -so_2e;
+  const double so_0a = KSL_MUL(D->m00, axis->x), so_0c_lead = -so_0a,
+      so_0c = fma(-D->m01, axis->y, so_0c_lead), so_0 = fma(-D->m02, axis->z, so_0c);
+  const double so_1a = KSL_MUL(D->m10, axis->x), so_1c_lead = -so_1a,
+      so_1c = fma(-D->m11, axis->y, so_1c_lead), so_1 = fma(-D->m12, axis->z, so_1c);
+  const double so_2a = KSL_MUL(D->m20, axis->x), so_2c_lead = -so_2a,
+      so_2c = fma(-D->m21, axis->y, so_2c_lead), so_2 = fma(-D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1022,18 +1019,18 @@ static inline void ksl_product_Adrinvsf_fused(const ksl_mat3x3f_t *R, const ksl_
      and underflow. */
 static inline void ksl_product_Adrsinvf_fused(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c = fmaf(R->m01, si->m1, so_0a),
-      so_0e = fmaf(R->m02, si->m2, so_0c), so_0 = -so_0e;
-  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c = fmaf(R->m11, si->m1, so_1a),
-      so_1e = fmaf(R->m12, si->m2, so_1c), so_1 = -so_1e;
-  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c = fmaf(R->m21, si->m1, so_2a),
-      so_2e = fmaf(R->m22, si->m2, so_2c), so_2 = -so_2e;
-  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c = fmaf(R->m01, si->m4, so_3a),
-      so_3e = fmaf(R->m02, si->m5, so_3c), so_3 = -so_3e;
-  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c = fmaf(R->m11, si->m4, so_4a),
-      so_4e = fmaf(R->m12, si->m5, so_4c), so_4 = -so_4e;
-  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c = fmaf(R->m21, si->m4, so_5a),
-      so_5e = fmaf(R->m22, si->m5, so_5c), so_5 = -so_5e;
+  const float so_0a = KSL_MULF(R->m00, si->m0), so_0c_lead = -so_0a,
+      so_0c = fmaf(-R->m01, si->m1, so_0c_lead), so_0 = fmaf(-R->m02, si->m2, so_0c);
+  const float so_1a = KSL_MULF(R->m10, si->m0), so_1c_lead = -so_1a,
+      so_1c = fmaf(-R->m11, si->m1, so_1c_lead), so_1 = fmaf(-R->m12, si->m2, so_1c);
+  const float so_2a = KSL_MULF(R->m20, si->m0), so_2c_lead = -so_2a,
+      so_2c = fmaf(-R->m21, si->m1, so_2c_lead), so_2 = fmaf(-R->m22, si->m2, so_2c);
+  const float so_3a = KSL_MULF(R->m00, si->m3), so_3c_lead = -so_3a,
+      so_3c = fmaf(-R->m01, si->m4, so_3c_lead), so_3 = fmaf(-R->m02, si->m5, so_3c);
+  const float so_4a = KSL_MULF(R->m10, si->m3), so_4c_lead = -so_4a,
+      so_4c = fmaf(-R->m11, si->m4, so_4c_lead), so_4 = fmaf(-R->m12, si->m5, so_4c);
+  const float so_5a = KSL_MULF(R->m20, si->m3), so_5c_lead = -so_5a,
+      so_5c = fmaf(-R->m21, si->m4, so_5c_lead), so_5 = fmaf(-R->m22, si->m5, so_5c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1112,18 +1109,18 @@ static inline void ksl_product_Adinvsf_fused(const ksl_SE3f_t *D, const ksl_scre
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf_fused(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c = fmaf(D->m01, si->m1, w_0a),
-      w_0e = fmaf(D->m02, si->m2, w_0c), w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c = fmaf(D->m11, si->m1, w_1a),
-      w_1e = fmaf(D->m12, si->m2, w_1c), w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c = fmaf(D->m21, si->m1, w_2a),
-      w_2e = fmaf(D->m22, si->m2, w_2c), w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c = fmaf(D->m01, si->m4, w_3a),
-      w_3e = fmaf(D->m02, si->m5, w_3c), w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c = fmaf(D->m11, si->m4, w_4a),
-      w_4e = fmaf(D->m12, si->m5, w_4c), w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c = fmaf(D->m21, si->m4, w_5a),
-      w_5e = fmaf(D->m22, si->m5, w_5c), w_5 = -w_5e;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0c_lead = -w_0a,
+      w_0c = fmaf(-D->m01, si->m1, w_0c_lead), w_0 = fmaf(-D->m02, si->m2, w_0c);
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1c_lead = -w_1a,
+      w_1c = fmaf(-D->m11, si->m1, w_1c_lead), w_1 = fmaf(-D->m12, si->m2, w_1c);
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2c_lead = -w_2a,
+      w_2c = fmaf(-D->m21, si->m1, w_2c_lead), w_2 = fmaf(-D->m22, si->m2, w_2c);
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3c_lead = -w_3a,
+      w_3c = fmaf(-D->m01, si->m4, w_3c_lead), w_3 = fmaf(-D->m02, si->m5, w_3c);
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4c_lead = -w_4a,
+      w_4c = fmaf(-D->m11, si->m4, w_4c_lead), w_4 = fmaf(-D->m12, si->m5, w_4c);
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5c_lead = -w_5a,
+      w_5c = fmaf(-D->m21, si->m4, w_5c_lead), w_5 = fmaf(-D->m22, si->m5, w_5c);
   const float so_0a = KSL_MULF(D->m13, w_5), so_0c = fmaf(-D->m23, w_4, so_0a), so_0 = so_0c + w_0;
   const float so_1a = KSL_MULF(D->m23, w_3), so_1c = fmaf(-D->m03, w_5, so_1a), so_1 = so_1c + w_1;
   const float so_2a = KSL_MULF(D->m03, w_4), so_2c = fmaf(-D->m13, w_3, so_2a), so_2 = so_2c + w_2;
@@ -1422,24 +1419,21 @@ static inline void ksl_hstaf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
      barring over- and underflow. */
 static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c = fmaf(D->m01, axis->y, a_0a),
-      a_0 = fmaf(D->m02, axis->z, a_0c);
-  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c = fmaf(D->m11, axis->y, a_1a),
-      a_1 = fmaf(D->m12, axis->z, a_1c);
-  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c = fmaf(D->m21, axis->y, a_2a),
-      a_2 = fmaf(D->m22, axis->z, a_2c);
-  const float so_0a = KSL_MULF(D->m23, a_1), so_0 = fmaf(-D->m13, a_2, so_0a);
-  const float so_1a = KSL_MULF(D->m03, a_2), so_1 = fmaf(-D->m23, a_0, so_1a);
-  const float so_2a = KSL_MULF(D->m13, a_0), so_2 = fmaf(-D->m03, a_1, so_2a);
-  const float so_3 = -a_0;
-  const float so_4 = -a_1;
-  const float so_5 = -a_2;
+  const float a_0a = KSL_MULF(D->m00, axis->x), a_0c_lead = -a_0a,
+      a_0c = fmaf(-D->m01, axis->y, a_0c_lead), a_0 = fmaf(-D->m02, axis->z, a_0c);
+  const float a_1a = KSL_MULF(D->m10, axis->x), a_1c_lead = -a_1a,
+      a_1c = fmaf(-D->m11, axis->y, a_1c_lead), a_1 = fmaf(-D->m12, axis->z, a_1c);
+  const float a_2a = KSL_MULF(D->m20, axis->x), a_2c_lead = -a_2a,
+      a_2c = fmaf(-D->m21, axis->y, a_2c_lead), a_2 = fmaf(-D->m22, axis->z, a_2c);
+  const float so_0a = KSL_MULF(D->m13, a_2), so_0 = fmaf(-D->m23, a_1, so_0a);
+  const float so_1a = KSL_MULF(D->m23, a_0), so_1 = fmaf(-D->m03, a_2, so_1a);
+  const float so_2a = KSL_MULF(D->m03, a_1), so_2 = fmaf(-D->m13, a_0, so_2a);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
-  so->m3 = so_3;
-  so->m4 = so_4;
-  so->m5 = so_5;
+  so->m3 = a_0;
+  so->m4 = a_1;
+  so->m5 = a_2;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame.
@@ -1449,12 +1443,12 @@ static inline void ksl_hsrainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      barring over- and underflow. */
 static inline void ksl_hstainvf_fused(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c = fmaf(D->m01, axis->y, so_0a),
-      so_0e = fmaf(D->m02, axis->z, so_0c), so_0 = -so_0e;
-  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c = fmaf(D->m11, axis->y, so_1a),
-      so_1e = fmaf(D->m12, axis->z, so_1c), so_1 = -so_1e;
-  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c = fmaf(D->m21, axis->y, so_2a),
-      so_2e = fmaf(D->m22, axis->z, so_2c), so_2 = -so_2e;
+  const float so_0a = KSL_MULF(D->m00, axis->x), so_0c_lead = -so_0a,
+      so_0c = fmaf(-D->m01, axis->y, so_0c_lead), so_0 = fmaf(-D->m02, axis->z, so_0c);
+  const float so_1a = KSL_MULF(D->m10, axis->x), so_1c_lead = -so_1a,
+      so_1c = fmaf(-D->m11, axis->y, so_1c_lead), so_1 = fmaf(-D->m12, axis->z, so_1c);
+  const float so_2a = KSL_MULF(D->m20, axis->x), so_2c_lead = -so_2a,
+      so_2c = fmaf(-D->m21, axis->y, so_2c_lead), so_2 = fmaf(-D->m22, axis->z, so_2c);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;

@@ -2164,15 +2164,17 @@ static inline float ksl_spatial_inertiaf_consistency_accurate(const ksl_spatial_
   const double l0_1 = (double)B->h.y / divisor0;
   const double l0_2 = (double)B->h.z / divisor0;
   const double u1_0a = KSL_MUL((double)B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
-  const double u1_1a = KSL_MUL((double)B->h.y, l0_0), u1_1b = u1_1a + (double)B->xy, u1_1 = -u1_1b;
-  const double u1_2a = KSL_MUL((double)B->h.z, l0_0), u1_2b = u1_2a + (double)B->xz, u1_2 = -u1_2b;
+  const double u1_1a = KSL_MUL((double)B->h.y, l0_0), u1_1b_lead = -u1_1a,
+      u1_1 = u1_1b_lead - (double)B->xy;
+  const double u1_2a = KSL_MUL((double)B->h.z, l0_0), u1_2b_lead = -u1_2a,
+      u1_2 = u1_2b_lead - (double)B->xz;
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1_0 = u1_1 / divisor1;
   const double l1_1 = u1_2 / divisor1;
   const double u2_0a = KSL_MUL((double)B->h.y, l0_1), u2_0b = sigma_1 - u2_0a,
       u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const double u2_1a = KSL_MUL((double)B->h.z, l0_1), u2_1b = u2_1a + (double)B->yz,
-      u2_1c = KSL_MUL(u1_2, l1_0), u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double u2_1a = KSL_MUL((double)B->h.z, l0_1), u2_1b_lead = -u2_1a,
+      u2_1b = u2_1b_lead - (double)B->yz, u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
   const double u3a = KSL_MUL((double)B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),

@@ -657,15 +657,12 @@ static inline double ksl_dot_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t 
    3 mul, 3 add, 3 product error, 6 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_avinv_accurate(const double k, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(k, v->x), vo_0a_lo = ksl_product_error(k, v->x, vo_0a),
-      vo_0 = -vo_0a, vo_0_lo = -vo_0a_lo;
-  const double vo_1a = KSL_MUL(k, v->y), vo_1a_lo = ksl_product_error(k, v->y, vo_1a),
-      vo_1 = -vo_1a, vo_1_lo = -vo_1a_lo;
-  const double vo_2a = KSL_MUL(k, v->z), vo_2a_lo = ksl_product_error(k, v->z, vo_2a),
-      vo_2 = -vo_2a, vo_2_lo = -vo_2a_lo;
-  const double vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_rounded = vo_2 + vo_2_lo;
+  const double vo_0a = KSL_MUL(k, v->x), vo_0 = -vo_0a, vo_0_factor = -k;
+  const double vo_1a = KSL_MUL(k, v->y), vo_1 = -vo_1a, vo_1_factor = -k;
+  const double vo_2a = KSL_MUL(k, v->z), vo_2 = -vo_2a, vo_2_factor = -k;
+  const double vo_0_lo = ksl_product_error(vo_0_factor, v->x, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
+  const double vo_1_lo = ksl_product_error(vo_1_factor, v->y, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
+  const double vo_2_lo = ksl_product_error(vo_2_factor, v->z, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;

@@ -1827,15 +1827,12 @@ def product_drvtxinv(R, k):
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    vo_0a = R_00 * k
-    vo_0 = -vo_0a
-    vo_1a = R_10 * k
-    vo_1 = -vo_1a
-    vo_2a = R_20 * k
-    vo_2 = -vo_2a
-    vo_0_rounded = vo_0 + -product_error(R_00, k, vo_0a)
-    vo_1_rounded = vo_1 + -product_error(R_10, k, vo_1a)
-    vo_2_rounded = vo_2 + -product_error(R_20, k, vo_2a)
+    vo_0 = -(R_00 * k)
+    vo_1 = -(R_10 * k)
+    vo_2 = -(R_20 * k)
+    vo_0_rounded = vo_0 + product_error(-R_00, k, vo_0)
+    vo_1_rounded = vo_1 + product_error(-R_10, k, vo_1)
+    vo_2_rounded = vo_2 + product_error(-R_20, k, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -2144,15 +2141,12 @@ def product_drvtyinv(R, k):
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    vo_0a = R_01 * k
-    vo_0 = -vo_0a
-    vo_1a = R_11 * k
-    vo_1 = -vo_1a
-    vo_2a = R_21 * k
-    vo_2 = -vo_2a
-    vo_0_rounded = vo_0 + -product_error(R_01, k, vo_0a)
-    vo_1_rounded = vo_1 + -product_error(R_11, k, vo_1a)
-    vo_2_rounded = vo_2 + -product_error(R_21, k, vo_2a)
+    vo_0 = -(R_01 * k)
+    vo_1 = -(R_11 * k)
+    vo_2 = -(R_21 * k)
+    vo_0_rounded = vo_0 + product_error(-R_01, k, vo_0)
+    vo_1_rounded = vo_1 + product_error(-R_11, k, vo_1)
+    vo_2_rounded = vo_2 + product_error(-R_21, k, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -2461,15 +2455,12 @@ def product_drvtzinv(R, k):
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    vo_0a = R_02 * k
-    vo_0 = -vo_0a
-    vo_1a = R_12 * k
-    vo_1 = -vo_1a
-    vo_2a = R_22 * k
-    vo_2 = -vo_2a
-    vo_0_rounded = vo_0 + -product_error(R_02, k, vo_0a)
-    vo_1_rounded = vo_1 + -product_error(R_12, k, vo_1a)
-    vo_2_rounded = vo_2 + -product_error(R_22, k, vo_2a)
+    vo_0 = -(R_02 * k)
+    vo_1 = -(R_12 * k)
+    vo_2 = -(R_22 * k)
+    vo_0_rounded = vo_0 + product_error(-R_02, k, vo_0)
+    vo_1_rounded = vo_1 + product_error(-R_12, k, vo_1)
+    vo_2_rounded = vo_2 + product_error(-R_22, k, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 

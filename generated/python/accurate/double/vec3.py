@@ -656,15 +656,12 @@ def product_avinv(k, v):
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
     v_0, v_1, v_2 = v
-    vo_0a = k * v_0
-    vo_0 = -vo_0a
-    vo_1a = k * v_1
-    vo_1 = -vo_1a
-    vo_2a = k * v_2
-    vo_2 = -vo_2a
-    vo_0_rounded = vo_0 + -product_error(k, v_0, vo_0a)
-    vo_1_rounded = vo_1 + -product_error(k, v_1, vo_1a)
-    vo_2_rounded = vo_2 + -product_error(k, v_2, vo_2a)
+    vo_0 = -(k * v_0)
+    vo_1 = -(k * v_1)
+    vo_2 = -(k * v_2)
+    vo_0_rounded = vo_0 + product_error(-k, v_0, vo_0)
+    vo_1_rounded = vo_1 + product_error(-k, v_1, vo_1)
+    vo_2_rounded = vo_2 + product_error(-k, v_2, vo_2)
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 

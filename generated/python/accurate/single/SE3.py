@@ -19,9 +19,9 @@ def SE3_invert(self):
     """
     (self_00, self_01, self_02, self_03, self_10, self_11, self_12, self_13, self_20, self_21,
         self_22, self_23) = self
-    self_03_new = -(self_00 * self_03 + self_10 * self_13 + self_20 * self_23)
-    self_13_new = -(self_01 * self_03 + self_11 * self_13 + self_21 * self_23)
-    self_23_new = -(self_02 * self_03 + self_12 * self_13 + self_22 * self_23)
+    self_03_new = -(self_00 * self_03) - self_10 * self_13 - self_20 * self_23
+    self_13_new = -(self_01 * self_03) - self_11 * self_13 - self_21 * self_23
+    self_23_new = -(self_02 * self_03) - self_12 * self_13 - self_22 * self_23
     return (self_00, self_10, self_20, self_03_new, self_01, self_11, self_21, self_13_new, self_02,
         self_12, self_22, self_23_new)
 
@@ -35,7 +35,7 @@ def SE3_inverted(D):
     of the expanded formula; barring over- and underflow.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
-    Do_03 = -(D_00 * D_03 + D_10 * D_13 + D_20 * D_23)
-    Do_13 = -(D_01 * D_03 + D_11 * D_13 + D_21 * D_23)
-    Do_23 = -(D_02 * D_03 + D_12 * D_13 + D_22 * D_23)
+    Do_03 = -(D_00 * D_03) - D_10 * D_13 - D_20 * D_23
+    Do_13 = -(D_01 * D_03) - D_11 * D_13 - D_21 * D_23
+    Do_23 = -(D_02 * D_03) - D_12 * D_13 - D_22 * D_23
     return (D_00, D_10, D_20, Do_03, D_01, D_11, D_21, Do_13, D_02, D_12, D_22, Do_23)

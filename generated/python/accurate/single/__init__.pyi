@@ -1321,8 +1321,8 @@ def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.float3
     """qo = q1i q2i.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    16 mul, 12 add, 1 neg.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1345,8 +1345,8 @@ def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[n
     """qo = q1i* q2i*.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    16 mul, 12 add, 1 neg.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1603,8 +1603,8 @@ def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.float32] |
     reference frame, rad/s, and what draws its norm to 1.
 
     (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-    23 mul, 16 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    23 mul, 16 add, 1 neg.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

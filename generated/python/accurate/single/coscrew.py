@@ -425,12 +425,12 @@ def product_CoAdrcinv(R, ci):
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    co_0 = -(R_00 * ci_0 + R_01 * ci_1 + R_02 * ci_2)
-    co_1 = -(R_10 * ci_0 + R_11 * ci_1 + R_12 * ci_2)
-    co_2 = -(R_20 * ci_0 + R_21 * ci_1 + R_22 * ci_2)
-    co_3 = -(R_00 * ci_3 + R_01 * ci_4 + R_02 * ci_5)
-    co_4 = -(R_10 * ci_3 + R_11 * ci_4 + R_12 * ci_5)
-    co_5 = -(R_20 * ci_3 + R_21 * ci_4 + R_22 * ci_5)
+    co_0 = -(R_00 * ci_0) - R_01 * ci_1 - R_02 * ci_2
+    co_1 = -(R_10 * ci_0) - R_11 * ci_1 - R_12 * ci_2
+    co_2 = -(R_20 * ci_0) - R_21 * ci_1 - R_22 * ci_2
+    co_3 = -(R_00 * ci_3) - R_01 * ci_4 - R_02 * ci_5
+    co_4 = -(R_10 * ci_3) - R_11 * ci_4 - R_12 * ci_5
+    co_5 = -(R_20 * ci_3) - R_21 * ci_4 - R_22 * ci_5
     return (co_0, co_1, co_2, co_3, co_4, co_5)
 
 
@@ -491,12 +491,12 @@ def product_CoAdcinv(D, ci):
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    w_0 = -(D_00 * ci_0 + D_01 * ci_1 + D_02 * ci_2)
-    w_1 = -(D_10 * ci_0 + D_11 * ci_1 + D_12 * ci_2)
-    w_2 = -(D_20 * ci_0 + D_21 * ci_1 + D_22 * ci_2)
-    w_3 = -(D_00 * ci_3 + D_01 * ci_4 + D_02 * ci_5)
-    w_4 = -(D_10 * ci_3 + D_11 * ci_4 + D_12 * ci_5)
-    w_5 = -(D_20 * ci_3 + D_21 * ci_4 + D_22 * ci_5)
+    w_0 = -(D_00 * ci_0) - D_01 * ci_1 - D_02 * ci_2
+    w_1 = -(D_10 * ci_0) - D_11 * ci_1 - D_12 * ci_2
+    w_2 = -(D_20 * ci_0) - D_21 * ci_1 - D_22 * ci_2
+    w_3 = -(D_00 * ci_3) - D_01 * ci_4 - D_02 * ci_5
+    w_4 = -(D_10 * ci_3) - D_11 * ci_4 - D_12 * ci_5
+    w_5 = -(D_20 * ci_3) - D_21 * ci_4 - D_22 * ci_5
     co_3 = D_13 * w_2 - D_23 * w_1 + w_3
     co_4 = D_23 * w_0 - D_03 * w_2 + w_4
     co_5 = D_03 * w_1 - D_13 * w_0 + w_5

@@ -87,9 +87,9 @@ def mat3x3_orthonormalize(self):
     defect_0 = 1 - self_00 * self_00 - self_10 * self_10 - self_20 * self_20
     defect_1 = 1 - self_01 * self_01 - self_11 * self_11 - self_21 * self_21
     defect_2 = 1 - self_02 * self_02 - self_12 * self_12 - self_22 * self_22
-    defect_3 = -(self_00 * self_01 + self_10 * self_11 + self_20 * self_21)
-    defect_4 = -(self_00 * self_02 + self_10 * self_12 + self_20 * self_22)
-    defect_5 = -(self_01 * self_02 + self_11 * self_12 + self_21 * self_22)
+    defect_3 = -(self_00 * self_01) - self_10 * self_11 - self_20 * self_21
+    defect_4 = -(self_00 * self_02) - self_10 * self_12 - self_20 * self_22
+    defect_5 = -(self_01 * self_02) - self_11 * self_12 - self_21 * self_22
     correction_0 = 0.5 * defect_0
     correction_1 = 0.5 * defect_1
     correction_2 = 0.5 * defect_2
@@ -124,9 +124,9 @@ def mat3x3_orthonormalized(R):
     defect_0 = 1 - R_00 * R_00 - R_10 * R_10 - R_20 * R_20
     defect_1 = 1 - R_01 * R_01 - R_11 * R_11 - R_21 * R_21
     defect_2 = 1 - R_02 * R_02 - R_12 * R_12 - R_22 * R_22
-    defect_3 = -(R_00 * R_01 + R_10 * R_11 + R_20 * R_21)
-    defect_4 = -(R_00 * R_02 + R_10 * R_12 + R_20 * R_22)
-    defect_5 = -(R_01 * R_02 + R_11 * R_12 + R_21 * R_22)
+    defect_3 = -(R_00 * R_01) - R_10 * R_11 - R_20 * R_21
+    defect_4 = -(R_00 * R_02) - R_10 * R_12 - R_20 * R_22
+    defect_5 = -(R_01 * R_02) - R_11 * R_12 - R_21 * R_22
     correction_0 = 0.5 * defect_0
     correction_1 = 0.5 * defect_1
     correction_2 = 0.5 * defect_2

@@ -210,15 +210,15 @@ def quaternion_product_qq(q1i, q2i):
     """qo = q1i q2i.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    16 mul, 12 add, 1 neg.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     q1i_0, q1i_1, q1i_2, q1i_3 = q1i
     q2i_0, q2i_1, q2i_2, q2i_3 = q2i
     qo_0 = q1i_0 * q2i_3 + (q1i_1 * q2i_2 - q1i_2 * q2i_1) + q1i_3 * q2i_0
     qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 + q1i_1 * q2i_3 + q1i_3 * q2i_1
     qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 + q1i_2 * q2i_3 + q1i_3 * q2i_2
-    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
+    qo_3 = -(q1i_0 * q2i_0) - q1i_1 * q2i_1 - q1i_2 * q2i_2 + q1i_3 * q2i_3
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -261,15 +261,15 @@ def quaternion_product_qconjqconj(q1i, q2i):
     """qo = q1i* q2i*.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    16 mul, 12 add, 1 neg.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     q1i_0, q1i_1, q1i_2, q1i_3 = q1i
     q2i_0, q2i_1, q2i_2, q2i_3 = q2i
     qo_0 = q1i_1 * q2i_2 - q1i_2 * q2i_1 - q1i_0 * q2i_3 - q1i_3 * q2i_0
     qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 - q1i_1 * q2i_3 - q1i_3 * q2i_1
     qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 - q1i_2 * q2i_3 - q1i_3 * q2i_2
-    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
+    qo_3 = -(q1i_0 * q2i_0) - q1i_1 * q2i_1 - q1i_2 * q2i_2 + q1i_3 * q2i_3
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -302,7 +302,7 @@ def quaternion_product_qxqconj(dci, qi):
     qi_0, qi_1, qi_2, qi_3 = qi
     qo_0 = dci_0 * qi_3 - dci_1 * qi_0
     qo_1 = dci_0 * qi_2 - dci_1 * qi_1
-    qo_2 = -(dci_0 * qi_1 + dci_1 * qi_2)
+    qo_2 = -(dci_0 * qi_1) - dci_1 * qi_2
     qo_3 = dci_0 * qi_0 + dci_1 * qi_3
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -334,8 +334,8 @@ def quaternion_product_qxconjqconj(dci, qi):
     """
     dci_0, dci_1 = dci
     qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_3 + dci_1 * qi_0)
-    qo_1 = -(dci_0 * qi_2 + dci_1 * qi_1)
+    qo_0 = -(dci_0 * qi_3) - dci_1 * qi_0
+    qo_1 = -(dci_0 * qi_2) - dci_1 * qi_1
     qo_2 = dci_0 * qi_1 - dci_1 * qi_2
     qo_3 = dci_1 * qi_3 - dci_0 * qi_0
     return (qo_0, qo_1, qo_2, qo_3)
@@ -386,7 +386,7 @@ def quaternion_product_qconjqx(qi, dci):
     qi_0, qi_1, qi_2, qi_3 = qi
     dci_0, dci_1 = dci
     qo_0 = qi_3 * dci_0 - qi_0 * dci_1
-    qo_1 = -(qi_1 * dci_1 + qi_2 * dci_0)
+    qo_1 = -(qi_1 * dci_1) - qi_2 * dci_0
     qo_2 = qi_1 * dci_0 - qi_2 * dci_1
     qo_3 = qi_0 * dci_0 + qi_3 * dci_1
     return (qo_0, qo_1, qo_2, qo_3)
@@ -402,9 +402,9 @@ def quaternion_product_qconjqxconj(qi, dci):
     """
     qi_0, qi_1, qi_2, qi_3 = qi
     dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_3 * dci_0)
+    qo_0 = -(qi_0 * dci_1) - qi_3 * dci_0
     qo_1 = qi_2 * dci_0 - qi_1 * dci_1
-    qo_2 = -(qi_1 * dci_0 + qi_2 * dci_1)
+    qo_2 = -(qi_1 * dci_0) - qi_2 * dci_1
     qo_3 = qi_3 * dci_1 - qi_0 * dci_0
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -436,7 +436,7 @@ def quaternion_product_qyqconj(dci, qi):
     """
     dci_0, dci_1 = dci
     qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_2 + dci_1 * qi_0)
+    qo_0 = -(dci_0 * qi_2) - dci_1 * qi_0
     qo_1 = dci_0 * qi_3 - dci_1 * qi_1
     qo_2 = dci_0 * qi_0 - dci_1 * qi_2
     qo_3 = dci_0 * qi_1 + dci_1 * qi_3
@@ -471,8 +471,8 @@ def quaternion_product_qyconjqconj(dci, qi):
     dci_0, dci_1 = dci
     qi_0, qi_1, qi_2, qi_3 = qi
     qo_0 = dci_0 * qi_2 - dci_1 * qi_0
-    qo_1 = -(dci_0 * qi_3 + dci_1 * qi_1)
-    qo_2 = -(dci_0 * qi_0 + dci_1 * qi_2)
+    qo_1 = -(dci_0 * qi_3) - dci_1 * qi_1
+    qo_2 = -(dci_0 * qi_0) - dci_1 * qi_2
     qo_3 = dci_1 * qi_3 - dci_0 * qi_1
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -523,7 +523,7 @@ def quaternion_product_qconjqy(qi, dci):
     dci_0, dci_1 = dci
     qo_0 = qi_2 * dci_0 - qi_0 * dci_1
     qo_1 = qi_3 * dci_0 - qi_1 * dci_1
-    qo_2 = -(qi_0 * dci_0 + qi_2 * dci_1)
+    qo_2 = -(qi_0 * dci_0) - qi_2 * dci_1
     qo_3 = qi_1 * dci_0 + qi_3 * dci_1
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -538,8 +538,8 @@ def quaternion_product_qconjqyconj(qi, dci):
     """
     qi_0, qi_1, qi_2, qi_3 = qi
     dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_2 * dci_0)
-    qo_1 = -(qi_1 * dci_1 + qi_3 * dci_0)
+    qo_0 = -(qi_0 * dci_1) - qi_2 * dci_0
+    qo_1 = -(qi_1 * dci_1) - qi_3 * dci_0
     qo_2 = qi_0 * dci_0 - qi_2 * dci_1
     qo_3 = qi_3 * dci_1 - qi_1 * dci_0
     return (qo_0, qo_1, qo_2, qo_3)
@@ -573,7 +573,7 @@ def quaternion_product_qzqconj(dci, qi):
     dci_0, dci_1 = dci
     qi_0, qi_1, qi_2, qi_3 = qi
     qo_0 = dci_0 * qi_1 - dci_1 * qi_0
-    qo_1 = -(dci_0 * qi_0 + dci_1 * qi_1)
+    qo_1 = -(dci_0 * qi_0) - dci_1 * qi_1
     qo_2 = dci_0 * qi_3 - dci_1 * qi_2
     qo_3 = dci_0 * qi_2 + dci_1 * qi_3
     return (qo_0, qo_1, qo_2, qo_3)
@@ -606,9 +606,9 @@ def quaternion_product_qzconjqconj(dci, qi):
     """
     dci_0, dci_1 = dci
     qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_1 + dci_1 * qi_0)
+    qo_0 = -(dci_0 * qi_1) - dci_1 * qi_0
     qo_1 = dci_0 * qi_0 - dci_1 * qi_1
-    qo_2 = -(dci_0 * qi_3 + dci_1 * qi_2)
+    qo_2 = -(dci_0 * qi_3) - dci_1 * qi_2
     qo_3 = dci_1 * qi_3 - dci_0 * qi_2
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -657,7 +657,7 @@ def quaternion_product_qconjqz(qi, dci):
     """
     qi_0, qi_1, qi_2, qi_3 = qi
     dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_1 * dci_0)
+    qo_0 = -(qi_0 * dci_1) - qi_1 * dci_0
     qo_1 = qi_0 * dci_0 - qi_1 * dci_1
     qo_2 = qi_3 * dci_0 - qi_2 * dci_1
     qo_3 = qi_2 * dci_0 + qi_3 * dci_1
@@ -675,8 +675,8 @@ def quaternion_product_qconjqzconj(qi, dci):
     qi_0, qi_1, qi_2, qi_3 = qi
     dci_0, dci_1 = dci
     qo_0 = qi_1 * dci_0 - qi_0 * dci_1
-    qo_1 = -(qi_0 * dci_0 + qi_1 * dci_1)
-    qo_2 = -(qi_2 * dci_1 + qi_3 * dci_0)
+    qo_1 = -(qi_0 * dci_0) - qi_1 * dci_1
+    qo_2 = -(qi_2 * dci_1) - qi_3 * dci_0
     qo_3 = qi_3 * dci_1 - qi_2 * dci_0
     return (qo_0, qo_1, qo_2, qo_3)
 
@@ -694,7 +694,7 @@ def quaternion_product_qv(qi, vi):
     qo_0 = qi_1 * vi_2 - qi_2 * vi_1 + qi_3 * vi_0
     qo_1 = qi_2 * vi_0 - qi_0 * vi_2 + qi_3 * vi_1
     qo_2 = qi_0 * vi_1 - qi_1 * vi_0 + qi_3 * vi_2
-    qo_3 = -(qi_0 * vi_0 + qi_1 * vi_1 + qi_2 * vi_2)
+    qo_3 = -(qi_0 * vi_0) - qi_1 * vi_1 - qi_2 * vi_2
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -728,7 +728,7 @@ def quaternion_product_vq(vi, qi):
     qo_0 = vi_0 * qi_3 + (vi_1 * qi_2 - vi_2 * qi_1)
     qo_1 = vi_2 * qi_0 - vi_0 * qi_2 + vi_1 * qi_3
     qo_2 = vi_0 * qi_1 - vi_1 * qi_0 + vi_2 * qi_3
-    qo_3 = -(vi_0 * qi_0 + vi_1 * qi_1 + vi_2 * qi_2)
+    qo_3 = -(vi_0 * qi_0) - vi_1 * qi_1 - vi_2 * qi_2
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -810,8 +810,8 @@ def omega_to_dquaternion(w, qi):
     reference frame, rad/s, and what draws its norm to 1.
 
     (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-    23 mul, 16 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
+    23 mul, 16 add, 1 neg.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
     """
     w_0, w_1, w_2 = w
     qi_0, qi_1, qi_2, qi_3 = qi
@@ -822,7 +822,7 @@ def omega_to_dquaternion(w, qi):
     dqo_0 = dqo_0a * qi_3 + (dqo_0c * qi_2 - dqo_0e * qi_1) + qi_0 * dqo_0p
     dqo_1 = dqo_0e * qi_0 - dqo_0a * qi_2 + dqo_0c * qi_3 + qi_1 * dqo_0p
     dqo_2 = dqo_0a * qi_1 - dqo_0c * qi_0 + dqo_0e * qi_3 + qi_2 * dqo_0p
-    dqo_3 = qi_3 * dqo_0p - (dqo_0a * qi_0 + dqo_0c * qi_1 + dqo_0e * qi_2)
+    dqo_3 = -(dqo_0a * qi_0) - dqo_0c * qi_1 - dqo_0e * qi_2 + qi_3 * dqo_0p
     return (dqo_0, dqo_1, dqo_2, dqo_3)
 
 

@@ -425,12 +425,12 @@ def product_Adrsinv(R, si):
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    so_0 = -(R_00 * si_0 + R_01 * si_1 + R_02 * si_2)
-    so_1 = -(R_10 * si_0 + R_11 * si_1 + R_12 * si_2)
-    so_2 = -(R_20 * si_0 + R_21 * si_1 + R_22 * si_2)
-    so_3 = -(R_00 * si_3 + R_01 * si_4 + R_02 * si_5)
-    so_4 = -(R_10 * si_3 + R_11 * si_4 + R_12 * si_5)
-    so_5 = -(R_20 * si_3 + R_21 * si_4 + R_22 * si_5)
+    so_0 = -(R_00 * si_0) - R_01 * si_1 - R_02 * si_2
+    so_1 = -(R_10 * si_0) - R_11 * si_1 - R_12 * si_2
+    so_2 = -(R_20 * si_0) - R_21 * si_1 - R_22 * si_2
+    so_3 = -(R_00 * si_3) - R_01 * si_4 - R_02 * si_5
+    so_4 = -(R_10 * si_3) - R_11 * si_4 - R_12 * si_5
+    so_5 = -(R_20 * si_3) - R_21 * si_4 - R_22 * si_5
     return (so_0, so_1, so_2, so_3, so_4, so_5)
 
 
@@ -491,12 +491,12 @@ def product_Adsinv(D, si):
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    w_0 = -(D_00 * si_0 + D_01 * si_1 + D_02 * si_2)
-    w_1 = -(D_10 * si_0 + D_11 * si_1 + D_12 * si_2)
-    w_2 = -(D_20 * si_0 + D_21 * si_1 + D_22 * si_2)
-    w_3 = -(D_00 * si_3 + D_01 * si_4 + D_02 * si_5)
-    w_4 = -(D_10 * si_3 + D_11 * si_4 + D_12 * si_5)
-    w_5 = -(D_20 * si_3 + D_21 * si_4 + D_22 * si_5)
+    w_0 = -(D_00 * si_0) - D_01 * si_1 - D_02 * si_2
+    w_1 = -(D_10 * si_0) - D_11 * si_1 - D_12 * si_2
+    w_2 = -(D_20 * si_0) - D_21 * si_1 - D_22 * si_2
+    w_3 = -(D_00 * si_3) - D_01 * si_4 - D_02 * si_5
+    w_4 = -(D_10 * si_3) - D_11 * si_4 - D_12 * si_5
+    w_5 = -(D_20 * si_3) - D_21 * si_4 - D_22 * si_5
     so_0 = D_13 * w_5 - D_23 * w_4 + w_0
     so_1 = D_23 * w_3 - D_03 * w_5 + w_1
     so_2 = D_03 * w_4 - D_13 * w_3 + w_2
@@ -723,16 +723,13 @@ def hsrainv(D, axis):
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
-    a_0 = D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2
-    a_1 = D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2
-    a_2 = D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2
-    so_0 = D_23 * a_1 - D_13 * a_2
-    so_1 = D_03 * a_2 - D_23 * a_0
-    so_2 = D_13 * a_0 - D_03 * a_1
-    so_3 = -a_0
-    so_4 = -a_1
-    so_5 = -a_2
-    return (so_0, so_1, so_2, so_3, so_4, so_5)
+    a_0 = -(D_00 * axis_0) - D_01 * axis_1 - D_02 * axis_2
+    a_1 = -(D_10 * axis_0) - D_11 * axis_1 - D_12 * axis_2
+    a_2 = -(D_20 * axis_0) - D_21 * axis_1 - D_22 * axis_2
+    so_0 = D_13 * a_2 - D_23 * a_1
+    so_1 = D_23 * a_0 - D_03 * a_2
+    so_2 = D_03 * a_1 - D_13 * a_0
+    return (so_0, so_1, so_2, a_0, a_1, a_2)
 
 
 @kernel("(3,4),(3)->(6)")
@@ -746,7 +743,7 @@ def hstainv(D, axis):
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     axis_0, axis_1, axis_2 = axis
-    so_0 = -(D_00 * axis_0 + D_01 * axis_1 + D_02 * axis_2)
-    so_1 = -(D_10 * axis_0 + D_11 * axis_1 + D_12 * axis_2)
-    so_2 = -(D_20 * axis_0 + D_21 * axis_1 + D_22 * axis_2)
+    so_0 = -(D_00 * axis_0) - D_01 * axis_1 - D_02 * axis_2
+    so_1 = -(D_10 * axis_0) - D_11 * axis_1 - D_12 * axis_2
+    so_2 = -(D_20 * axis_0) - D_21 * axis_1 - D_22 * axis_2
     return (so_0, so_1, so_2, 0, 0, 0)

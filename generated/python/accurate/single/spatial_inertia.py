@@ -375,13 +375,13 @@ def spatial_inertia_consistency(B):
     l0_1 = B_2 / divisor0
     l0_2 = B_3 / divisor0
     u1_0 = sigma_0 - B_1 * l0_0
-    u1_1 = -(B_2 * l0_0 + B_7)
-    u1_2 = -(B_3 * l0_0 + B_8)
+    u1_1 = -(B_2 * l0_0) - B_7
+    u1_2 = -(B_3 * l0_0) - B_8
     divisor1 = where(0 < u1_0, u1_0, 1)
     l1_0 = u1_1 / divisor1
     l1_1 = u1_2 / divisor1
     u2_0 = sigma_1 - B_2 * l0_1 - u1_1 * l1_0
-    u2_1 = -(B_3 * l0_1 + B_9 + u1_2 * l1_0)
+    u2_1 = -(B_3 * l0_1) - B_9 - u1_2 * l1_0
     divisor2 = where(0 < u2_0, u2_0, 1)
     l2 = u2_1 / divisor2
     u3 = sigma_2 - B_3 * l0_2 - u1_2 * l1_1 - u2_1 * l2

@@ -1073,41 +1073,35 @@ def hsrainv(D, axis):
     a_0a = D_00 * axis_0
     a_0b = D_01 * axis_1
     a_0d = D_02 * axis_2
-    a_0 = a_0a + a_0b + a_0d
+    a_0 = -(a_0a + a_0b + a_0d)
     a_1a = D_10 * axis_0
     a_1b = D_11 * axis_1
     a_1d = D_12 * axis_2
-    a_1 = a_1a + a_1b + a_1d
+    a_1 = -(a_1a + a_1b + a_1d)
     a_2a = D_20 * axis_0
     a_2b = D_21 * axis_1
     a_2d = D_22 * axis_2
-    a_2 = a_2a + a_2b + a_2d
-    so_0 = D_23 * a_1 - D_13 * a_2
-    so_1 = D_03 * a_2 - D_23 * a_0
-    so_2 = D_13 * a_0 - D_03 * a_1
-    so_3 = -a_0
-    so_4 = -a_1
-    so_5 = -a_2
-    a_0_size = absolute(a_0a) + absolute(a_0b) + absolute(a_0d)
-    a_1_size = absolute(a_1a) + absolute(a_1b) + absolute(a_1d)
-    a_2_size = absolute(a_2a) + absolute(a_2b) + absolute(a_2d)
-    a_1_padded = a_1_size + 2.004168360008973e-292
-    D_23_abs = absolute(D_23)
-    a_2_padded = a_2_size + 2.004168360008973e-292
+    a_2 = -(a_2a + a_2b + a_2d)
+    so_0 = D_13 * a_2 - D_23 * a_1
+    so_1 = D_23 * a_0 - D_03 * a_2
+    so_2 = D_03 * a_1 - D_13 * a_0
+    a_2e_padded = absolute(a_2a) + absolute(a_2b) + absolute(a_2d) + 2.004168360008973e-292
     D_13_abs = absolute(D_13)
-    so_0_size = D_23_abs * a_1_padded + D_13_abs * a_2_padded
+    a_1e_padded = absolute(a_1a) + absolute(a_1b) + absolute(a_1d) + 2.004168360008973e-292
+    D_23_abs = absolute(D_23)
+    so_0_size = D_13_abs * a_2e_padded + D_23_abs * a_1e_padded
+    a_0e_padded = absolute(a_0a) + absolute(a_0b) + absolute(a_0d) + 2.004168360008973e-292
     D_03_abs = absolute(D_03)
-    a_0_padded = a_0_size + 2.004168360008973e-292
-    so_1_size = D_03_abs * a_2_padded + D_23_abs * a_0_padded
-    so_2_size = D_13_abs * a_0_padded + D_03_abs * a_1_padded
+    so_1_size = D_23_abs * a_0e_padded + D_03_abs * a_2e_padded
+    so_2_size = D_03_abs * a_1e_padded + D_13_abs * a_0e_padded
     so_0_error_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
     so_1_error_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
     so_2_error_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
-    a_0_error_bound = 3.3306690738754706e-16 * a_0_padded
-    a_1_error_bound = 3.3306690738754706e-16 * a_1_padded
-    a_2_error_bound = 3.3306690738754706e-16 * a_2_padded
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, a_0_error_bound, a_1_error_bound, a_2_error_bound)
+    a_0e_error_bound = 3.3306690738754706e-16 * a_0e_padded
+    a_1e_error_bound = 3.3306690738754706e-16 * a_1e_padded
+    a_2e_error_bound = 3.3306690738754706e-16 * a_2e_padded
+    return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_error_bound, so_1_error_bound, so_2_error_bound,
+        a_0e_error_bound, a_1e_error_bound, a_2e_error_bound)
 
 
 @kernel("(3,4),(3)->(6),(6)")

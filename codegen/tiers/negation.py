@@ -1,0 +1,64 @@
+"""Negated sums as sums of negated terms, for tiers that fuse products into their sums.
+
+gcc lets the processor negate a fused sum before it is rounded: one of exactly zero then has another
+sign than elsewhere.  So no fused sum is negated, nor taken off a product that is fused.
+"""
+
+from collections import Counter
+from dataclasses import replace
+
+from coscrew_codegen.program import Instruction, Op, Program, Ref
+
+_OTHER = {Op.ADD: Op.SUB, Op.SUB: Op.ADD}
+
+
+def negating_terms(program: Program) -> Program:
+    """The program with -(a ± b) as (-a) ∓ b, and c d - (a ± b) as ((-a) ∓ b) + c d, where nothing
+    else uses that sum; a likewise, if it is a sum."""
+    used = (*program.results, *(x for step in program.instructions for x in step.operands))
+    uses = Counter(x.name for x in used if isinstance(x, Ref))
+    once = {step.name: step.op for step in program.instructions if uses[step.name] == 1}
+    rewriting = _Rewriting(once)
+    for step in reversed(program.instructions):
+        rewriting.mark(step)
+    steps = [new for step in program.instructions for new in rewriting.of(step)]
+    return replace(program, instructions=tuple(steps))
+
+
+class _Rewriting:
+    """What becomes of each step, users being marked before what they use.  `once` has the
+    operations whose results are used once, by name."""
+
+    def __init__(self, once: dict[str, Op]) -> None:
+        self._sums = {name for name, op in once.items() if op in _OTHER}
+        self._products = {name for name, op in once.items() if op is Op.MUL}
+        self._negated: dict[str, Instruction | None] = {}  # sums; the negation each stands for
+        self._exchanged: set[str] = set()  # c d - sum
+
+    def mark(self, step: Instruction) -> None:
+        """Note which of its operands this step wants negated."""
+        names = [getattr(x, "name", "") for x in step.operands]
+        if step.op is Op.NEG and names[0] in self._sums:
+            self._negated[names[0]] = step
+        elif step.name in self._negated and names[0] in self._sums:
+            self._negated[names[0]] = None
+        elif step.op is Op.SUB and names[0] in self._products and names[1] in self._sums:
+            self._negated[names[1]] = None
+            self._exchanged.add(step.name)
+
+    def of(self, step: Instruction) -> list[Instruction]:
+        """The steps in the place of this one."""
+        if step.op is Op.NEG and getattr(step.operands[0], "name", "") in self._negated:
+            return []
+        if step.name in self._exchanged:
+            return [replace(step, op=Op.ADD, operands=step.operands[::-1])]
+        if step.name not in self._negated:
+            return [step]
+        stood_for, (a, b), steps = self._negated[step.name], step.operands, []
+        if getattr(a, "name", "") not in self._negated:
+            steps = [replace(step, name=f"{step.name}_lead", op=Op.NEG, operands=(a,))]
+            a = Ref(steps[0].name)
+        new = replace(step, op=_OTHER[step.op], operands=(a, b))
+        if stood_for is not None:
+            new = replace(new, name=stood_for.name, component=stood_for.component)
+        return [*steps, new]
