@@ -17,6 +17,7 @@ $(VENV)/ready: pyproject.toml
 	$(PYTHON3) -m venv $(VENV)
 	$(PIP) install --upgrade pip "setuptools>=77" wheel
 	$(PIP) install "numpy>=2.0"
+	@echo "compiling the extensions takes some minutes"
 	$(PIP) install --no-build-isolation --editable ".[simulate]"
 	touch $@
 	@$(COMPILED) && touch $(VENV)/built || true

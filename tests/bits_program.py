@@ -1,8 +1,9 @@
 """A C program that prints a hash of each kernel's bits, and the hashes it must print.
 
 Every kernel runs in a loop over an array of structs and in one over a structure of arrays, on
-numbers that C and Python make alike, zeros of either sign among them.  The hashes wanted are those of the NumPy twins, which round
-every operation once on any machine.  What would call libm calls stand-ins.
+numbers that C and Python make alike, zeros of either sign among them.  The hashes wanted are those
+of the NumPy twins, which round every operation once on any machine.  What would call libm calls
+stand-ins.
 """
 
 import functools
@@ -132,8 +133,8 @@ def numbers_and_hashes(precision: Precision) -> str:
     f = precision.suffix
     return _OF_PRECISION.format(
         real=precision.c_type, name=precision.name, widest=WIDEST, rows=ROWS, shift=64 - digits,
-        few=", ".join(f"{x}{f}" for x in FEW), half=f"{2.0**(digits - 1)}{f}", unit=f"{2.0**(3 - digits)}{f}",
-        bits=f"uint{8 * precision.bytes}_t")
+        few=", ".join(f"{x}{f}" for x in FEW), half=f"{2.0**(digits - 1)}{f}",
+        unit=f"{2.0**(3 - digits)}{f}", bits=f"uint{8 * precision.bytes}_t")
 
 
 def _function(kernel: Kernel, name: str, lines: list[str]) -> str:

@@ -104,8 +104,8 @@ def not_a_number(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) ->
 
 
 KINDS: tuple[Callable[[Generator, int, np.ndarray, np.dtype], Rows], ...] = (
-    ordinary, moderate_exponents, all_exponents, zeros, few_numbers, equal_inputs, near_cancellation,
-    subnormal, huge, edges, infinite, not_a_number)
+    ordinary, moderate_exponents, all_exponents, zeros, few_numbers, equal_inputs,
+    near_cancellation, subnormal, huge, edges, infinite, not_a_number)
 
 
 def _of_exponents(rng: Generator, shape: tuple[int, int], dtype: np.dtype, most: int) -> Rows:

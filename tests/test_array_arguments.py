@@ -129,6 +129,19 @@ def test_shapes_are_named(namespace, given, error, message):
         namespace.product_CoAdc(*given)
 
 
+@pytest.mark.parametrize("namespace", (coscrew, _dispatch), ids=("compiled", "without compilation"))
+def test_dtype_chooses_the_precision(namespace):
+    c, narrow = np.arange(6) / 7, (np.arange(6) / 7).astype(np.float32)
+    for given in (c, narrow, c.tolist()):
+        for dtype in (np.float32, "float32", np.float64, float):
+            found = namespace.axpy_cc(0.1, given, given, dtype=dtype)
+            module = coscrew.single if np.dtype(dtype) == np.float32 else coscrew.double
+            assert found.dtype == dtype
+            assert found.tobytes() == module.axpy_cc(0.1, given, given).tobytes()
+    with pytest.raises(TypeError, match="coscrew_inverted"):
+        namespace.coscrew_inverted(c, dtype=np.float16)
+
+
 def test_single_takes_doubles_within_its_range():
     c = np.array([1e30, 1.0, 0.1, 1e-60, np.inf, np.nan])
     found = coscrew.single.coscrew_copy(c)

@@ -33,8 +33,8 @@ TIER_NAMES = ("", *(tier.name for tier in TIERS))
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if _links(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 
-# One printer writes all kernels and both precisions: plain's are built in half of the ways in either
-# precision, those of each tier by one compiler with sanitizers and one that optimises.
+# One printer writes all kernels and both precisions: plain's are built in half of the ways in
+# either precision, those of each tier by one compiler with sanitizers and one that optimises.
 SANITIZED, OPTIMISED = BUILDS[:len(BUILDS) - len(COMPILERS)], BUILDS[-len(COMPILERS):]
 RUNS = (*((DOUBLE, "", *build) for build in (*SANITIZED[:1], *OPTIMISED[-1:])),
         *((SINGLE, "", *build) for build in (*SANITIZED[-1:], *OPTIMISED[:1])),

@@ -68,7 +68,8 @@ wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
 
 
 def dispatch(module: str, *kernels: Callable) -> Callable:
-    """The first kernel, except that arguments of float32 alone go to the second; for `module`."""
+    """The first kernel, except that arguments of float32 alone go to the second, and `dtype=`
+    decides where it is given; for `module`."""
     wide, narrow = kernels[0], kernels[-1]
 
     def check(*values):
@@ -77,10 +78,15 @@ def dispatch(module: str, *kernels: Callable) -> Callable:
             wide.checked(values, objects=False)
 
     @functools.wraps(wide)
-    def on_any(*values, out=None):
+    def on_any(*values, out=None, dtype=None):
         _, arrays = wide.checked(values, objects=False)
         kinds = {array.dtype.type for array, value in zip(arrays, values)
                  if type(value) not in (int, float)}
+        if dtype is not None:
+            kinds = {np.dtype(dtype).type}
+            if not kinds < {np.float64, np.float32}:
+                raise TypeError(f"{wide.__name__}: dtype must be float64 or float32; "
+                                f"got {np.dtype(dtype)}")
         return (narrow if kinds == {np.float32} else wide)(*arrays, out=out)
 
     on_any.check = check

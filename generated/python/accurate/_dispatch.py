@@ -3,7 +3,8 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """The operations without a compiled extension: each call goes to the twin of its precision.
 
-They take `out=`, and none of the other options of NumPy's ufuncs; they return plain arrays.
+They take `out=` and `dtype=`, and none of the other options of NumPy's ufuncs; they return plain
+arrays.
 """
 
 from coscrew.accurate import double, single
