@@ -38,6 +38,7 @@ _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
 
 _UMBRELLAS = ("ksl", *(f"ksl_{tier.name}" for tier in TIERS))
 
+
 @cache
 def program_of(operation: Operation) -> Program:
     """The operation's program: kernel, passes, plain tier."""

@@ -1,6 +1,6 @@
 """A small made-up report: no figure in it was measured, and its strings and numbers are awkward."""
 
-from math import inf, nan
+from math import inf, isnan, nan
 
 from coscrew_codegen.report.schema import (
     SCHEMA,
@@ -74,3 +74,21 @@ def sample_report() -> Report:
                Change("cross_sc", "single", "plain", "worst error, hard, ulp", 4.0, 1.0, 0.25))
     return Report(SCHEMA, provenance, tuple(entries), drift,
                   Comparison(f"before {AWKWARD}", changes))
+
+
+def variant(entry: Entry) -> str:
+    """What an entry is called."""
+    return f"{entry.operation} {entry.precision} {entry.tier}"
+
+
+def layout_name(time: Time) -> str:
+    """What the layout is called that was timed."""
+    return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
+
+
+def same(found: float, wanted: float) -> bool:
+    """Equal, or both no numbers."""
+    return found == wanted or isnan(found) and isnan(wanted)
+
+
+SHOWN_FIRST = ", ".join(filter(None, LAYOUTS[1]))

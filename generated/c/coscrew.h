@@ -3901,6 +3901,26 @@ static inline double ksl_turns(
   return ceil(turns);
 }
 
+/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
+   are the same. */
+static inline void ksl_nextAngles(const ksl_vec3_t *found, const double sign, const int proper,
+    const ksl_vec3_t *near, ksl_vec3_t *angles) {
+  const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
+  const double z = KSL_MUL(sign, found->z);
+  const double turns = ksl_turns(near->z, eighth, z, half);
+  const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
+  const double y = KSL_MUL(sign, found->y), flipped = proper ? -y : half - y;
+  const double straight = KSL_MUL(sign, found->x), shift = other ? half : 0;
+  const double x = straight + shift, middle = other ? flipped : y;
+  const double x_turns = ksl_turns(near->x, eighth, x, whole);
+  const double y_turns = ksl_turns(near->y, eighth, middle, whole);
+  const double to_x = KSL_MUL(whole, x_turns), to_y = KSL_MUL(whole, y_turns);
+  const double to_z = KSL_MUL(half, turns);
+  angles->x = x + to_x;
+  angles->y = middle + to_y;
+  angles->z = z + to_z;
+}
+
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
    sequence, next to those of the reference (ksl_vec3_t *) that follows, zeros for NULL: z from 1/8
    turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
@@ -3910,7 +3930,6 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const double sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0 : -1.0;
-  const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
   ksl_vec3_t near = ksl_vec3(0, 0, 0), found = near;
   const ksl_vec3_t *reference;
   ksl_mat3x3_t R;
@@ -3931,21 +3950,7 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
   } else {
     ksl_euler_xyz_from_mat3x3(&R, &found);
   }
-  {
-    const double z = KSL_MUL(sign, found.z);
-    const double turns = ksl_turns(near.z, eighth, z, half);
-    const int other = fmod(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const double y = KSL_MUL(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
-    const double straight = KSL_MUL(sign, found.x), shift = other ? half : 0;
-    const double x = straight + shift, middle = other ? flipped : y;
-    const double x_turns = ksl_turns(near.x, eighth, x, whole);
-    const double y_turns = ksl_turns(near.y, eighth, middle, whole);
-    const double to_x = KSL_MUL(whole, x_turns), to_y = KSL_MUL(whole, y_turns);
-    const double to_z = KSL_MUL(half, turns);
-    angles->x = x + to_x;
-    angles->y = middle + to_y;
-    angles->z = z + to_z;
-  }
+  ksl_nextAngles(&found, sign, axes.x == axes.z, &near, angles);
 }
 
 /* The same; the reference may be left out. */
@@ -3984,6 +3989,26 @@ static inline float ksl_turnsf(
   return ceilf(turns);
 }
 
+/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
+   are the same. */
+static inline void ksl_nextAnglesf(const ksl_vec3f_t *found, const float sign, const int proper,
+    const ksl_vec3f_t *near, ksl_vec3f_t *angles) {
+  const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
+  const float z = KSL_MULF(sign, found->z);
+  const float turns = ksl_turnsf(near->z, eighth, z, half);
+  const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
+  const float y = KSL_MULF(sign, found->y), flipped = proper ? -y : half - y;
+  const float straight = KSL_MULF(sign, found->x), shift = other ? half : 0;
+  const float x = straight + shift, middle = other ? flipped : y;
+  const float x_turns = ksl_turnsf(near->x, eighth, x, whole);
+  const float y_turns = ksl_turnsf(near->y, eighth, middle, whole);
+  const float to_x = KSL_MULF(whole, x_turns), to_y = KSL_MULF(whole, y_turns);
+  const float to_z = KSL_MULF(half, turns);
+  angles->x = x + to_x;
+  angles->y = middle + to_y;
+  angles->z = z + to_z;
+}
+
 /* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
    sequence, next to those of the reference (ksl_vec3f_t *) that follows, zeros for NULL: z from 1/8
    turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
@@ -3993,7 +4018,6 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
   const int own[3] = {axes.x, axes.y, 3 - axes.x - axes.y};
   const float sign = (axes.y - axes.x + 3) % 3 == 1 ? 1.0f : -1.0f;
-  const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
   ksl_vec3f_t near = ksl_vec3f(0, 0, 0), found = near;
   const ksl_vec3f_t *reference;
   ksl_mat3x3f_t R;
@@ -4014,21 +4038,7 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
   } else {
     ksl_euler_xyz_from_mat3x3f(&R, &found);
   }
-  {
-    const float z = KSL_MULF(sign, found.z);
-    const float turns = ksl_turnsf(near.z, eighth, z, half);
-    const int other = fmodf(turns, 2) != 0; /* half a turn of z needs one of x, too */
-    const float y = KSL_MULF(sign, found.y), flipped = axes.x == axes.z ? -y : half - y;
-    const float straight = KSL_MULF(sign, found.x), shift = other ? half : 0;
-    const float x = straight + shift, middle = other ? flipped : y;
-    const float x_turns = ksl_turnsf(near.x, eighth, x, whole);
-    const float y_turns = ksl_turnsf(near.y, eighth, middle, whole);
-    const float to_x = KSL_MULF(whole, x_turns), to_y = KSL_MULF(whole, y_turns);
-    const float to_z = KSL_MULF(half, turns);
-    angles->x = x + to_x;
-    angles->y = middle + to_y;
-    angles->z = z + to_z;
-  }
+  ksl_nextAnglesf(&found, sign, axes.x == axes.z, &near, angles);
 }
 
 /* The same; the reference may be left out. */
