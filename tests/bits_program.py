@@ -100,6 +100,7 @@ class Kernel:
 def kernels(tier: str, names: Sequence[str] = ()) -> tuple[Kernel, ...]:
     """The kernels of a tier, of these names or of all."""
     made = next((t for t in TIERS if t.name == tier), None)
+    assert set(names) <= {op.name for op in OPERATIONS}, names
     chosen = [op for op in OPERATIONS if not names or op.name in names]
     return tuple(Kernel(made.operation(op) if made else op, precision, tier)
                  for precision in PRECISIONS for op in chosen

@@ -122,7 +122,7 @@ def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
 def rows(operation: Operation, precision: Precision) -> list[Row]:
     """Floats in every branch: motions where the operation takes them, anything finite; zeros, and
     among zeros a one or a small number."""
-    groups = [inputs_of(operation, precision, 55)]
+    groups = [inputs_of(operation, precision, 60)]
     if operation.name in TRUTHS:
         motions = motions_of(operation, precision, 60)
         groups += [motions, tuple(4 * x[:10] for x in motions)]
@@ -131,7 +131,7 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
             groups += [tuple(c * turns.astype(precision.numpy_type) if n == 0 else x[:12]
                              for n, x in enumerate(motions)) for c in (1, 2)]
     if operation.family == "symmetric":
-        A, *others = inputs_of(operation, precision, 220)
+        A, *others = inputs_of(operation, precision, 240)
         A, *others = (x[:20] for x in (A, *others))  # the ordinary ones
         definite = A @ A.swapaxes(1, 2)
         spoiled = definite.copy()  # each in one pivot, the first that is not positive

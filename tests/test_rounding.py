@@ -62,7 +62,7 @@ def value_and_size(polynomial: list, numbers: list[Fraction]) -> tuple[Fraction,
 @pytest.mark.parametrize("operation", POLYNOMIAL, ids=lambda op: op.name)
 def test_error_is_within_bound(operation, precision):
     """|err| <= u|x| + 8 u S, and η M^d for each of d roundings of n terms that may underflow."""
-    inputs = inputs_of(operation, precision, 55)
+    inputs = inputs_of(operation, precision, 60)
     with np.errstate(all="ignore"):
         found = getattr(coscrew, operation.name)(*inputs)
     found = flat(found if isinstance(found, tuple) else (found,))
