@@ -56,9 +56,13 @@ def test_load_scene_lets_them_through_and_warns(written):
     path = written(robot(next(iter(BODIES))))
     with pytest.raises(SceneError, match="lets it through"):
         load_scene(path)
-    with pytest.warns(RuntimeWarning, match=f"robot: .*{next(iter(BODIES))!r}"):
+    with pytest.warns(RuntimeWarning, match=rf"^{path.name}: .*{next(iter(BODIES))!r}"):
         its = load_scene(path, implausible="warn", precision="double")
     assert list(its.double) and not list(its.single)
+    imp = path.rename(path.with_name("imp" + path.suffix))  # imp alone is no name of a scene
+    with pytest.warns(RuntimeWarning, match=rf"^imp{path.suffix}: "):
+        load_scene(imp, implausible="warn", precision="double")
+    path = imp
     with pytest.raises(ValueError, match="implausible = 'warm'; wanted one of error, warn"):
         load_scene(path, implausible="warm")
     with pytest.raises(TypeError, match="belong to a scene file"):
