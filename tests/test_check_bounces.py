@@ -9,6 +9,7 @@ import mpmath
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.verdict import table
@@ -64,16 +65,27 @@ def test_a_right_bounce_is_right_in_single_precision(loaded, step):
     assert findings.passed and "DOUBTFUL" not in table(findings), table(findings)
 
 
-def lost(v: float, alpha: float) -> float:
-    """½ v² (1 - e²), e by Hunt and Crossley's law of a kilogram without weight:
-    G(v) = G(-e v), G(v) = v/a - ln(1 + a v)/a², a = 1.5 alpha."""
+def outgoing(v: float, alpha: float) -> mpmath.mpf:
+    """e v by Hunt and Crossley's law of what has no weight: G(v) = G(-e v),
+    G(v) = v/a - ln(1 + a v)/a², a = 1.5 alpha."""
     a = mpmath.mpf(3) / 2 * alpha
 
     def kept(x: mpmath.mpf) -> mpmath.mpf:
         return x / a - mpmath.log(1 + a * x) / a**2
 
-    out = mpmath.findroot(lambda x: kept(-x) - kept(v), (0, (1 - 1e-12) / a), solver="bisect")
-    return float((mpmath.mpf(v)**2 - out**2) / 2)
+    return mpmath.findroot(lambda x: kept(-x) - kept(v), (0, (1 - 1e-12) / a), solver="bisect")
+
+
+def lost(v: float, alpha: float) -> float:
+    """The energy that a kilogram loses."""
+    return float((mpmath.mpf(v)**2 - outgoing(v, alpha)**2) / 2)
+
+
+@pytest.mark.parametrize("e, alpha_v", ((0.95, 0.053), (0.9, 0.111), (0.8, 0.249), (0.7, 0.423),
+                                        (0.6, 0.650), (0.5, 0.955)))
+def test_alpha_for_a_restitution_is_as_the_readme_says(e, alpha_v):
+    assert float(outgoing(2, alpha_v / 2)) / 2 == pytest.approx(e, abs=5e-4)
+    assert float(outgoing(2, (1 / e - 1) / 2)) / 2 == pytest.approx(e, abs=0.013)
 
 
 @pytest.mark.parametrize("k, alpha", ((1e6, 0.045), (1e8, 0.2), (1e7, 0.5)))
@@ -106,3 +118,14 @@ def test_what_is_said_to_help_helps(loaded, values, asked):
     times = float(said.split("take one ")[1].split()[0])
     again = {**asked, "step": times * asked["step"]}
     assert check(kernels, Asked(precision="double", **again)).passed
+
+
+@pytest.mark.parametrize("k, integrator, told", (
+    (1e6, "linear-implicit-euler", True), (10, "linear-implicit-euler", False),
+    (1e6, "leapfrog", False)))
+def test_lost_bounces_are_told(tmp_path, capsys, k, integrator, told):
+    path = tmp_path / "ball.toml"
+    path.write_text(BALL.format(**{**FALL, "k": k, "alpha": 0.045, "duration": 1}))
+    assert main(["simulate", str(path), "--integrator", integrator]) == 0
+    said = f"coscrew: limits close, and {integrator} does not resolve bounces"
+    assert (said in capsys.readouterr().err) == told
