@@ -37,8 +37,9 @@ INTEGRATORS = (
         "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the semi-implicit Euler method, of "
         "first order, with a of forward_dynamics at tau = 0", "euler", "forward_dynamics"),
     Integrator(
-        "linear-implicit-euler", 1, "never unstable by damping or stiffness, but swallows bounces "
-        "and vibrations; what floats free gains momentum as it turns",
+        "linear-implicit-euler", 1, "never unstable by damping or stiffness, but does not resolve "
+        "bounces (what falls on a stiff limit stays there) and vibrations; what floats free gains "
+        "momentum as it turns",
         "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the linearly implicit Euler method, of "
         "first order, with a from dynamics in which damping and stiffness of joints act at the "
         "step's end", "euler", "implicit_acceleration"),

@@ -70,6 +70,12 @@ CASES = [
     ("rho = 1.25\narea = 0.125", "rho = 1e30\narea = 1e20",
      "drag at tip: its numbers are multiplied to 1e+50"),
     ('"4*t"', '"4e50*t"', "wrench at tip: its numbers are multiplied to 4e+50"),
+    # quotients that no constant holds: tau/max(|v|, eps) is tau/eps at rest
+    ("[effects.viscous.pivot]", "[effects.coulomb.pivot]\ntau_c = 1e5\neps = 1e-37\n"
+     "[effects.viscous.pivot]", "coulomb at pivot: its numbers are divided to 1e+42 at rest"),
+    ("[effects.viscous.pivot]", "[effects.stribeck.pivot]\ntau_c = 1\ntau_s = 1e5\nv_s = 0.1\n"
+     "eps = 1e-37\n[effects.viscous.pivot]",
+     "stribeck at pivot: its numbers are divided to 1e+42 at rest"),
 ]
 
 
@@ -109,6 +115,14 @@ def test_what_double_precision_cannot_hold_has_no_such_way_round(path, old, new)
     with pytest.raises(RangeError, match="outside double precision's range: 0, and 4.9e-324 to "
                                          r"1.8e\+308 in size$"):
         derive(read_scene(path(old, new, DOUBLE_SAID)))
+
+
+@pytest.mark.parametrize("eps, tau_c", [("1e-30", "1e8"), ("1e-3", "1e-30"), ("1e30", "1e-30")])
+def test_quotients_within_range_are_not_refused(path, eps, tau_c):
+    """Nor are those that round to 0."""
+    its = load_scene(path("[effects.viscous.pivot]", f"[effects.coulomb.pivot]\ntau_c = {tau_c}\n"
+                          f"eps = {eps}\n[effects.viscous.pivot]"))
+    assert all(np.isfinite(x).all() for x in its.single.step_leapfrog(0.0, 1e-3, [0.1], [0.0]))
 
 
 def test_parameters_values_count(path):

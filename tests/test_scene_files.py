@@ -294,8 +294,19 @@ upper = 1
         "joint shoulder: friction 0.1 N m is not used: add [effects.stribeck]",
         "joint shoulder: effort 8 N m is not used: add [effects.motor]",
         "joint shoulder: velocity 3 rad/s is not used",
-        "joint shoulder: upper 2 rad is not used: add [effects.stop]",
-        "joint elbow: damping 0.25 N m s/rad is not used: add [effects.viscous]")
+        "joint shoulder: upper 2 rad is not used: [effects.stop] has its own upper",
+        "joint elbow: damping 0.25 N m s/rad is not used: [effects.viscous] has its own d")
+
+
+@pytest.mark.parametrize("limit, remedy", [
+    ("", 'say limit = "model" in [effects.motor]'),
+    ("limit = 3", "[effects.motor] has its own limit"), ('limit = "model"', None)])
+@pytest.mark.parametrize("table", ["[effects.motor.shoulder]", "[effects.motor]\njoints = 'all'"])
+def test_what_an_effect_that_is_there_lacks_is_told(read, table, limit, remedy):
+    model = MODEL.replace('type = "continuous"', 'type = "revolute"')
+    said = [x for x in read(model=model, tail=f"{table}\nu = 1\n{limit}\n").unused
+            if "joint shoulder: effort" in x]
+    assert said == ([f"joint shoulder: effort 8 N m is not used: {remedy}"] if remedy else [])
 
 
 # quantities

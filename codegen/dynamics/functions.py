@@ -9,7 +9,7 @@ from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.formulas import Formula
 from coscrew_codegen.dynamics.identifiers import identifiers
 from coscrew_codegen.dynamics.numbers import Number, row_by_row
-from coscrew_codegen.dynamics.ranges import refuse_numbers, refuse_products
+from coscrew_codegen.dynamics.ranges import refuse_numbers, refuse_products, refuse_quotients
 from coscrew_codegen.dynamics.record import Recorder, array, headings
 from coscrew_codegen.dynamics.recording import Recording
 from coscrew_codegen.dynamics.scene import Scene
@@ -110,7 +110,14 @@ class _Derivation:
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
         function = Function(name, words, program, headings(program), internal)
         refuse_products(self.scene, function)
+        refuse_quotients(self.scene, function, self._at_rest())
         return function
+
+    def _at_rest(self) -> dict[str, tuple[float, ...]]:
+        """Inputs by name: neutral coordinates, parameters' values, nothing moves."""
+        zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
+        return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
+                "p": tuple(float(x.value) for x in self.scene.parameters)}
 
     def _tau(self) -> Argument:
         return self.inputs["tau"]

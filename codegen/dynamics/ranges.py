@@ -2,18 +2,21 @@
 
 What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what
 is smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal,
-as products of what files hold where they mean zero are: 1.7e-19 kg m².
+as products of what files hold where they mean zero are: 1.7e-19 kg m².  Quotients are no constants
+where a denominator is max(|v|, eps): they are looked at where everything is at rest.
 """
 
-from collections.abc import Iterator
+import math
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.dynamics.model import Scalar, value
 from coscrew_codegen.dynamics.scene import Scene
-from coscrew_codegen.program import Constant
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.targets.precision import named
+from coscrew_codegen.targets.precision import Precision, named
 
 NORMAL, SUBNORMAL = "smallest_normal", "smallest_subnormal"
 _AXES = ("x", "y", "z")
@@ -48,11 +51,60 @@ def refuse_numbers(scene: Scene) -> None:
 def refuse_products(scene: Scene, function: Function) -> None:
     """Raise RangeError for the first constant of the function that a precision it is generated in
     cannot hold: what numbers of the scene are multiplied to."""
-    bodies = {body.name for body in scene.model.bodies}
     for where, constant in _constants(function):
-        place = f"body {where!r}" if where in bodies else where
-        _refuse(scene, constant, SUBNORMAL, f"{place}: its numbers are multiplied to "
-                f"{_shown(constant.double)} in {function.name}, which")
+        _refuse(scene, constant, SUBNORMAL, f"{_place(scene, where)}: its numbers are multiplied "
+                f"to {_shown(constant.double)} in {function.name}, which")
+
+
+def _place(scene: Scene, where: str) -> str:
+    return f"body {where!r}" if any(where == x.name for x in scene.model.bodies) else where
+
+
+def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequence[float]]
+                     ) -> None:
+    """Raise RangeError for the first quotient of the function that a precision it is generated in
+    cannot hold at these inputs, by their arguments' names."""
+    program = function.program
+    if not any(step.op is Op.DIV for step in program.instructions):
+        return
+    for precision in named(scene.precisions):
+        largest = precision.limit("max")
+        for where, quotient in _quotients(program, precision, inputs):
+            if abs(quotient) > largest:
+                _refuse(scene, Constant(quotient, quotient), SUBNORMAL,
+                        f"{_place(scene, where or function.name)}: its numbers are divided to "
+                        f"{_shown(quotient)} at rest in {function.name}, which")
+
+
+def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequence[float]]
+               ) -> Iterator[tuple[str, Fraction]]:
+    """Each quotient of finite numbers, exactly, and the part of the scene it belongs to.  What has
+    no value is not a number, and neither is what follows from it."""
+    known: dict[str, float] = {}
+
+    def value(x: Operand) -> float:
+        if isinstance(x, Ref):
+            return known[x.name]
+        if isinstance(x, Input):
+            return inputs[program.inputs[x.argument].name][x.index]
+        return float(precision.value(x)) if isinstance(x, Constant) else math.nan
+
+    for step in program.instructions:
+        operands = [value(x) for x in step.operands]
+        try:
+            known[step.name] = float(_VALUES[step.op](*operands))
+        except (ArithmeticError, ValueError):
+            known[step.name] = math.nan
+        if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
+            yield _part(step), Fraction(operands[0]) / Fraction(operands[1])
+
+
+_VALUES: Mapping[Op, Callable[..., float]] = {
+    Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
+    Op.NEG: operator.neg, Op.ABS: abs, Op.SQRT: math.sqrt, Op.SIN: math.sin, Op.COS: math.cos,
+    Op.ATAN2: math.atan2, Op.EXP: math.exp, Op.TANH: math.tanh, Op.SCALE: operator.mul,
+    Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c}
+"""Of the operations that recordings of scenes have."""
 
 
 def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
@@ -107,7 +159,12 @@ def _constants(function: Function) -> Iterator[tuple[str, Constant]]:
     for step in program.instructions:
         for x in step.operands:
             if isinstance(x, Constant):
-                yield step.component.rpartition(":")[0] or function.name, x
+                yield _part(step) or function.name, x
     for x in program.results:
         if isinstance(x, Constant):
             yield f"result of {function.name}", x
+
+
+def _part(step: Instruction) -> str:
+    """The part of the scene that an instruction belongs to."""
+    return step.component.rpartition(":")[0]

@@ -39,6 +39,6 @@ EFFECT = Effect(
      ParameterOf("upper", "rad or m", f"upper {_RANGE}", default="model", required=False,
                  model="upper"),
      ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True),
-     ParameterOf("alpha", "s/rad or s/m", "damping: it bounces with 1 - alpha v of its speed v, "
-                 "to first order", default=0, nonnegative=True)),
+     ParameterOf("alpha", "s/rad or s/m", "damping: it bounces with about 1/(1 + alpha v) of its "
+                 "speed v", default=0, nonnegative=True)),
     any_of=("lower", "upper"), joint_torque=_torque)

@@ -96,7 +96,8 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
     effects = read_effects(file.table("effects"), model, catalogue, use)
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
-                  run=_run(file.table("run")), unused=unused(model, use.of_model, catalogue))
+                  run=_run(file.table("run")),
+                  unused=unused(model, use.of_model, catalogue, effects))
     _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only("q", "v")

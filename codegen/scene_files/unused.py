@@ -2,13 +2,15 @@
 
 from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.dynamics.model import Joint, Kind, Model
+from coscrew_codegen.dynamics.scene import Applied
 
 FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 
 
-def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...]
-           ) -> tuple[str, ...]:
-    """One line for each number whose (joint, field) is not `used`, with the effect to add for it.
+def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
+           acting: tuple[Applied, ...] = ()) -> tuple[str, ...]:
+    """One line for each number whose (joint, field) is not `used`, with the effect to add for it,
+    or what to say in that effect where it acts on the joint already.
 
     Damping and friction of zero are nothing to use."""
     lines = []
@@ -19,19 +21,30 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
                 continue
             if number or name not in ("damping", "friction"):
                 what = f"{name} {float(number):g} {_unit(joint, name)}"
-                lines.append(_line(joint, what, effect_using(name, catalogue)))
+                lines.append(_line(joint, what, _remedy(joint, name, catalogue, acting)))
         if joint.mimic and (joint.name, "mimic") not in used:
             mimic = joint.mimic
             what = (f"mimic of {mimic.joint} (multiplier {float(mimic.multiplier):g}, "
                     f"offset {float(mimic.offset):g})")
             name = next((effect.name for effect in catalogue if effect.mimic), "")
-            lines.append(_line(joint, what, name))
+            lines.append(_line(joint, what, f"add [effects.{name}]" if name else ""))
     return tuple(lines)
 
 
-def _line(joint: Joint, what: str, effect: str) -> str:
-    hint = f": add [effects.{effect}]" if effect else ""
-    return f"joint {joint.name}: {what} is not used{hint}"
+def _line(joint: Joint, what: str, remedy: str) -> str:
+    return f"joint {joint.name}: {what} is not used{': ' if remedy else ''}{remedy}"
+
+
+def _remedy(joint: Joint, field: str, catalogue: tuple[Effect, ...], acting: tuple[Applied, ...]
+            ) -> str:
+    for applied in acting:
+        for parameter in applied.effect.parameters:
+            if applied.on == joint.name and parameter.model == field:
+                if applied.values.get(parameter.name) is None:
+                    return f'say {parameter.name} = "model" in [effects.{applied.effect.name}]'
+                return f"[effects.{applied.effect.name}] has its own {parameter.name}"
+    name = effect_using(field, catalogue)
+    return f"add [effects.{name}]" if name else ""
 
 
 def effect_using(field: str, catalogue: tuple[Effect, ...]) -> str:

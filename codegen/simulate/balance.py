@@ -3,8 +3,11 @@ have no potential energy; and momentum of what floats free, which nothing change
 
 The power between two samples is Simpson's rule's, over neighbours.  Where that does not account for
 the change of energy, it is that of small steps from the first to the second: a bounce may begin and
-end between them."""
+end between them.  Small steps that start where a limit is closed go on from those before them, not
+from the sample: within a bounce samples are off by some 0.1 % of what it holds, all of them to the
+same side, and work counted from them would be so, though the bounce ends with the right speed."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,9 +18,12 @@ from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
 
-_UNCLEAR = 1e-6  # of the energies moved: more between two samples is looked at more closely,
+_UNCLEAR = 1e-6  # of the energies moved: more between two samples is looked at more closely, where
+# limits are closed also less, so that what is not looked at adds up to no more,
 _MOST = 2000  # at most between so many,
-_FINE = 256  # with so many steps
+_FINE = 256  # with so many steps; where limits are closed,
+_LEAST, _FINER = 64, 8  # with so many, or so many times the integrator's parts;
+_LONGEST = 32  # and these go on for so many samples: longer contacts are slow ones, of true samples
 
 
 @dataclass(frozen=True)
@@ -30,6 +36,7 @@ class Balance:
     defect: float  # the largest |E(t) - E(0) - ∫ P dt|
     at: float  # where, in s
     scale: float  # the largest of kinetic energy, change of energy, and work
+    part: float = np.inf  # the shortest in which a step was taken that was split, in s
     momentum: float = 0.0  # the largest √(T(v - v')/T), v' with the momentum there should be, T the
     # largest kinetic energy
 
@@ -39,14 +46,14 @@ class Balance:
         return self.defect / self.scale if self.scale > 0 else self.defect
 
 
-def balance(system: System, trajectory: Trajectory) -> Balance:
+def balance(system: System, trajectory: Trajectory, among: np.ndarray | None = None) -> Balance:
     """The balance over the samples, which must be dense for ∫ P dt to be right; not finite where
-    energies overflow."""
+    energies overflow.  With `among`, the defect is the largest of samples at these times."""
     with np.errstate(all="ignore"):
-        return _balance(system, trajectory)
+        return _balance(system, trajectory, among)
 
 
-def _balance(system: System, trajectory: Trajectory) -> Balance:
+def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -> Balance:
     t, q, v = trajectory.t, trajectory.q, trajectory.v
     kinetic, potential = system.energies(t, q, v)
     energy, work = kinetic + potential, np.zeros(len(t))
@@ -57,33 +64,74 @@ def _balance(system: System, trajectory: Trajectory) -> Balance:
         work[1] = (t[1] - t[0]) * power.mean()
     change = energy - energy[0]
     scale = max(np.max(np.abs(x)) for x in (kinetic, change))
+    parts = _parts(system, trajectory)
     if system.programs["power"].instructions:
-        work = _refined(system, trajectory, np.diff(energy), work, scale)
+        work = _refined(system, trajectory, np.diff(energy), work, scale, parts)
     defect = np.abs(change - work)
-    at = largest(defect)
+    at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))
     scale = max(np.max(np.abs(x)) for x in (kinetic, change, work))
     return Balance(float(energy[0]), float(energy[-1]), float(work[-1]), float(defect[at]),
-                   float(t[at]), float(scale), _momentum(system, t, q, v, np.max(kinetic)))
+                   float(t[at]), float(scale), _shortest(trajectory, parts),
+                   _momentum(system, t, q, v, np.max(kinetic)))
+
+
+def _parts(system: System, trajectory: Trajectory) -> np.ndarray:
+    """In how many parts the default integrator goes from each sample to the next, if limits close
+    on the way; else 0."""
+    t, q, v = trajectory.t, trajectory.q[:-1], trajectory.v[:-1]
+    if not system.has("parts"):
+        return np.zeros(len(t) - 1)
+    h = np.diff(t)
+    closing = system.call("closing_contacts", h=h, q=q, v=v) > 0
+    return np.where(closing, system.call("parts", h=h, q=q, v=v)[0], 0).astype(float)
+
+
+def _shortest(trajectory: Trajectory, parts: np.ndarray) -> float:
+    split = parts > 1
+    return float(np.min(np.diff(trajectory.t)[split] / parts[split], initial=np.inf))
 
 
 def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: np.ndarray,
-             scale: float) -> np.ndarray:
+             scale: float, parts: np.ndarray) -> np.ndarray:
     """The work up to each sample, between some of them by small steps."""
-    parts = np.diff(work)
-    apart = np.abs(change - parts)
+    works = np.diff(work)
+    apart = np.abs(change - works)
+    closing = parts > 0
+    clear = np.where(closing, _UNCLEAR / max(1, np.count_nonzero(closing)), _UNCLEAR) * scale
     unclear = np.argsort(-np.where(np.isnan(apart), 0, apart), kind="stable")[:_MOST]
-    unclear = np.sort(unclear[apart[unclear] > _UNCLEAR * scale])
-    if not len(unclear):
-        return work
-    t, q, v = (x[unclear] for x in (trajectory.t, trajectory.q, trajectory.v))
-    h = np.diff(trajectory.t)[unclear] / _FINE
-    total, before = np.zeros(len(unclear)), _power(system, t, q, v)
-    for k in range(_FINE):
-        q, v = system.call(f"step_{DEFAULT}", t=t + k * h, h=h, q=q, v=v)
-        after = _power(system, t + (k + 1) * h, q, v)
-        total, before = total + h / 2 * (before + after), after
-    parts[unclear] = np.where(np.isfinite(total), total, parts[unclear])
-    return np.concatenate(([0.0], np.cumsum(parts)))
+    unclear = np.sort(unclear[apart[unclear] > clear[unclear]])
+    counts = np.where(closing, np.maximum(_LEAST, _FINER * parts), _FINE).astype(int)
+    t, q, v = trajectory.t, trajectory.q.copy(), trajectory.v.copy()
+    for some in _rounds(system, trajectory, unclear):
+        total, q[some + 1], v[some + 1] = _closely(system, t[some], np.diff(t)[some], counts[some],
+                                                   q[some], v[some])
+        works[some] = np.where(np.isfinite(total), total, works[some])
+    return np.concatenate(([0.0], np.cumsum(works)))
+
+
+def _rounds(system: System, trajectory: Trajectory, unclear: np.ndarray) -> Iterator[np.ndarray]:
+    """Which of the unclear are looked at together: first those that start from samples, then those
+    that go on from the first, and so on."""
+    q, v = (x[unclear] for x in (trajectory.q, trajectory.v))
+    before = np.zeros(len(unclear), int)
+    if system.has("parts"):
+        closed = system.call("closing_contacts", h=np.zeros(len(unclear)), q=q, v=v) > 0
+        for i in np.flatnonzero(closed & (np.diff(unclear, prepend=-2) == 1)):
+            before[i] = (before[i - 1] + 1) % _LONGEST
+    yield from (unclear[before == k] for k in range(before.max(initial=-1) + 1))
+
+
+def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndarray, q: np.ndarray,
+             v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The work from each t on for an interval, in so many small steps, and q, v there."""
+    h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
+    for k in range(count.max(initial=0)):
+        i = np.flatnonzero(k < count)
+        q[i], v[i] = system.call(f"step_{DEFAULT}", t=t[i] + k * h[i], h=h[i], q=q[i], v=v[i])
+        after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
+        total[i] += h[i] / 2 * (before[i] + after)
+        before[i] = after
+    return total, q, v
 
 
 def _power(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:

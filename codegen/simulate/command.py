@@ -106,6 +106,8 @@ def run(options: argparse.Namespace) -> int:
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
+    if note := outcome.bounces(outcomes[0]):
+        print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in outcomes]
     if options.output:
         for path, recording in zip(_outputs(options.output), recordings):

@@ -114,9 +114,10 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     """
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import Said, read_scene
-        scene = read_scene(Path(scene), said=Said(precision, implausible))
+        path = Path(scene)
+        scene = read_scene(path, said=Said(precision, implausible))
         for line in scene.model.implausible:
-            warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
+            warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")

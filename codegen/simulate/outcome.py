@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.provenance import provenance
@@ -70,6 +71,21 @@ def gaps(found: tuple[Difference, ...]) -> str:
     rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
     return tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
                            "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g"))
+
+
+def bounces(outcome: Outcome) -> str:
+    """Says that bounces are lost, where the integrator that loses them had limits close in a sample
+    for which the default would split its step; else ""."""
+    its, planned, run = outcome.system, outcome.plan, outcome.trajectory
+    if planned.integrator != "linear-implicit-euler" or not its.has("parts"):
+        return ""
+    with np.errstate(all="ignore"):
+        closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0
+        parts = its.call("parts", h=planned.step, q=run.q, v=run.v)[0]
+    if not np.any(closing & (parts > 1)):
+        return ""
+    return (f"limits close, and {planned.integrator} does not resolve bounces in steps of "
+            f"{planned.step:g} s: they lose speed; integrator {DEFAULT} splits such steps")
 
 
 def _heading(outcome: Outcome) -> str:

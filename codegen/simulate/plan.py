@@ -18,7 +18,10 @@ MOST_STEPS = 10**12  # weeks of the fastest scenes
 @dataclass(frozen=True)
 class Plan:
     """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and
-    atol of SciPy's; `also` are further times to sample at."""
+    atol of SciPy's; `also` are further times to sample at.
+
+    The default integrator splits steps in which limits close into parts that hardly depend on the
+    step.  With `finer` = 2 they are half as long: a step has as many as one twice as long."""
 
     until: float
     every: float
@@ -27,6 +30,7 @@ class Plan:
     rtol: float
     atol: float
     also: tuple[float, ...] = ()
+    finer: int = 1
 
     @property
     def adaptive(self) -> bool:

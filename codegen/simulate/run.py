@@ -17,7 +17,7 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory
-from coscrew_codegen.simulate.system import System, Watch
+from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
 _KEPT = 100  # steps after which momentum is what it was, to rounding
@@ -59,6 +59,8 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
           watch: Watch | None = None, alarmed: bool = False) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     step, taken = system.stepper(f"step_{named(plan.integrator).step}", watch), 0
+    if plan.finer > 1 and plan.integrator == DEFAULT and system.has("parts"):
+        step = _in_finer_parts(system, plan.finer)
     alarm = Alarm(system, plan, (q, v)) if alarmed else None
     kept = system.kept(q, v) if plan.integrator == DEFAULT else None
     at_once = _KEPT if kept else _AT_ONCE
@@ -81,6 +83,23 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             if finite and alarm:
                 stopped = alarm(count, end, h, q, v)
             yield q, v, taken, stopped
+
+
+def _in_finer_parts(system: System, finer: int
+                    ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
+    """The default integrator, with as many parts of a step as one has that is `finer` times as
+    long."""
+    step = system.stepper(f"step_{DEFAULT}")
+
+    def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+        for k in range(n):
+            parts = 1
+            if system.call("closing_contacts", h=finer * h, q=q, v=v) > 0:
+                parts = int(system.call("parts", h=finer * h, q=q, v=v)[0])
+            q, v = step(parts, t + k * h, h / parts, q, v)
+        return q, v
+
+    return steps
 
 
 def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np.ndarray,
