@@ -222,6 +222,20 @@ def test_inverses_are_right_or_refused(precision, functions):
     assert refused > 3
 
 
+@each_precision
+def test_size_refuses_no_inverse(precision, functions):
+    """Determinants that under- and overflow are no reason."""
+    info = np.finfo(precision.numpy_type)
+    for exponent in range(1 - info.maxexp, info.maxexp - 2, 5):
+        R = np.ldexp(np.array([[0.0, 2, 0], [0, 0, -1], [1, 0, 0]]), exponent)
+        found = np.ascontiguousarray(R.T, precision.numpy_type)
+        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == 0
+        assert np.array_equal(R @ found.T, np.eye(3))
+    for x in (0, np.inf, np.nan):
+        found = numbers(precision, np.diag([1, x, 1]))
+        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == -3
+
+
 def exact_determinant(R: np.ndarray) -> Fraction:
     a, b, c = exact(R)
     return a @ np.cross(b, c)

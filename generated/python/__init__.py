@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "9f83519b2c3eb208")
+COMPILED: bool = is_compiled("coscrew._gufunc", "a2b0808383f222ce")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -229,13 +229,15 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> N
     """
 
 def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
-    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
-    cofactor and of det R; barring over- and underflow.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
+    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
+    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
+    Ro_ij itself.
     """
 
 def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
