@@ -49,7 +49,8 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     DEPENDENT: (sp.Rational(16, 2**53), sp.Rational(16, 2**24)),
     INDISTINCT: (sp.Rational(8, 2**53), sp.Rational(8, 2**24)),
     SPOILED: (sp.Rational(1, 2**760), sp.Rational(1, 2**96)),
-    **{step: (sp.Integer(2**(300 * n)), sp.Integer(2**(40 * n))) for n, step in enumerate(STEPS, 1)},
+    **{step: (sp.Integer(2**(300 * n)), sp.Integer(2**(40 * n)))
+       for n, step in enumerate(STEPS, 1)},
     GRID: (sp.Integer(2**28), sp.Integer(2**13)),
 }
 """The constants that differ between double and single precision."""
@@ -118,7 +119,7 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words, with what inputs it is for, or what else there is; empty where there
+        """`normwise` in words, with what inputs it is for, and what else there is; empty where there
         is nothing."""
         if not self.normwise:
             return self.rounding
@@ -127,7 +128,9 @@ class Operation:
         also = f", or of {' or '.join(beside)} if that is larger" if beside else ""
         where = [a.domain_in_words for a in self.inputs if a.domain_in_words]
         given = f" for {' and '.join(where)}" if where else ""
-        return f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
+        besides = f"  {self.rounding}" if self.rounding else ""
+        return (f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
+                f"{besides}")
 
     def truth(self) -> tuple[sp.Expr, ...]:
         """`formula` on the inputs' symbols: every component of every output, row by row."""

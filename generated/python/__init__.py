@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "a2b0808383f222ce")
+COMPILED: bool = is_compiled("coscrew._gufunc", "a9eafc65a489be18")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -2142,7 +2142,8 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
     θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.
+    of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow
+    where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2150,7 +2151,8 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums
+    on the way may overflow where |t| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2158,7 +2160,8 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDA
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2166,7 +2169,8 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2174,7 +2178,8 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...)
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2182,7 +2187,8 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -2191,7 +2197,8 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
-    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
+    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
+    the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
