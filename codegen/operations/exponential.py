@@ -112,7 +112,8 @@ _ROTATIONS = (
           partial(_bound_jacobian_inverse, sign), (Normwise("R", 6),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle",
-        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
+        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with "
+        "another R is no rotation",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
         (Normwise("R", 9),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),

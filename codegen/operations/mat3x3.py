@@ -131,7 +131,8 @@ OPERATIONS = (
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_R,), (_Ro,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
-    _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, "
-        "dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about, ("R", "axis", "dc")),
+    _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
+        "(else R is no rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about,
+        ("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )

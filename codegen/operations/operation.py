@@ -119,8 +119,7 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words, with what inputs it is for, and what else there is; empty where there
-        is nothing."""
+        """`normwise` in words, with what inputs it is for, and what else there is, if anything."""
         if not self.normwise:
             return self.rounding
         parts = ", ".join(bound.in_words for bound in self.normwise)

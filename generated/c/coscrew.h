@@ -2611,7 +2611,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2825,7 +2826,8 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+     rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -3524,7 +3526,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -3738,7 +3741,8 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+     rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -14582,7 +14586,8 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   qo->w = qo_3;
 }
 
-/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
@@ -16054,7 +16059,8 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   qo->w = qo_3;
 }
 
-/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
@@ -21005,8 +21011,9 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
 #define KSL_SYMMETRIC_H
 
 
-/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
-     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
+     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
+     definite, and L means nothing.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21059,9 +21066,9 @@ static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t 
   x->z = z2;
 }
 
-/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-     positive, and x not a number.
+/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+     not positive definite), it is not positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -21137,8 +21144,9 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   return pivot;
 }
 
-/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
-     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
+     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
+     definite, and L means nothing.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21295,9 +21303,9 @@ static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew
   x->m5 = z5;
 }
 
-/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-     positive, and x not a number.
+/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+     not positive definite), it is not positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -21557,8 +21565,9 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   return pivot;
 }
 
-/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
-     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
+     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
+     definite, and L means nothing.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21613,9 +21622,9 @@ static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f
   x->z = z2;
 }
 
-/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-     positive, and x not a number.
+/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+     not positive definite), it is not positive, and x not a number.
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -21692,8 +21701,9 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   return pivot;
 }
 
-/* L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest pivot
-     d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
+     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
+     definite, and L means nothing.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21851,9 +21861,9 @@ static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscr
   x->m5 = z5;
 }
 
-/* x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-     singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-     positive, and x not a number.
+/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+     not positive definite), it is not positive, and x not a number.
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;

@@ -1479,7 +1479,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
+    "= (sin θ, cos θ).\n"
     "\n"
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
@@ -1523,7 +1524,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "before| <= 28 u max |A| for orthonormal V; searched, not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
-    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
+    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no\n"
+    "rotation.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
     "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component\n"

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "a9eafc65a489be18")
+COMPILED: bool = is_compiled("coscrew._gufunc", "75882e56ae3435e1")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "77df75a932ab8c02")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "34654601fd8935e7")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

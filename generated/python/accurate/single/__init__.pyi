@@ -259,7 +259,8 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
@@ -1677,8 +1678,9 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
@@ -1694,9 +1696,9 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
@@ -1704,8 +1706,9 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | No
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
@@ -1722,9 +1725,9 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
