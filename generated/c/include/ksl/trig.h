@@ -43,9 +43,10 @@ static inline double ksl_normalizeDegrees(double angle) {
 static inline double ksl_normalizeRadians(double angle) {
   /* 2 π is the number next to it and this much, but for 6e-33. */
   const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
-  const double rest = fmod(angle, turn), turns = (angle - rest) / turn;
-  const double less = fmod(turns * beyond, turn);
-  const double part = fmod(rest - less, turn), above = part + beyond + turn;
+  const double rest = fmod(angle, turn), whole = angle - rest, turns = whole / turn;
+  const double gathered = KSL_MUL(turns, beyond), less = fmod(gathered, turn);
+  const double left = rest - less, part = fmod(left, turn);
+  const double shifted = part + beyond, above = shifted + turn;
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
@@ -62,9 +63,10 @@ static inline float ksl_normalizeDegreesf(float angle) {
 static inline float ksl_normalizeRadiansf(float angle) {
   /* 2 π is the number next to it and this much, but for 7e-15. */
   const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;
-  const float rest = fmodf(angle, turn), turns = (angle - rest) / turn;
-  const float less = fmodf(turns * beyond, turn);
-  const float part = fmodf(rest - less, turn), above = part + beyond + turn;
+  const float rest = fmodf(angle, turn), whole = angle - rest, turns = whole / turn;
+  const float gathered = KSL_MULF(turns, beyond), less = fmodf(gathered, turn);
+  const float left = rest - less, part = fmodf(left, turn);
+  const float shifted = part + beyond, above = shifted + turn;
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
